@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef SPEAR_WIRE_H
+#define SPEAR_WIRE_H
+
+/* spear_wire: sessions over Cap'n Proto RPC, behind a C interface.
+ *
+ * The one wire library, used by the SDK (client half) and by the plugin inside the engine (server half). It is built once, with
+ * any compiler and standard library; nothing is thrown across, no C++ type crosses, only spear_* symbols are exported. Bytes in
+ * `types`, `operations` and `answers` are spear/encode.hpp's; this library does not look into them.
+ *
+ * Addresses: "unix:/path" (socket mode 0600; a leading '@' in the path means the abstract namespace), "tcp://host:port"
+ * (IPv6 in brackets; port 0 lets the system choose, see spear_server_address). */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define SPEAR_WIRE_API __declspec(dllexport)
+#else
+#define SPEAR_WIRE_API __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct spear_bytes {
+    const uint8_t* data;
+    size_t size;
+} spear_bytes;
+
+/* An error as it crosses: code is spear::ErrorCode, the message is cut to fit. */
+typedef struct spear_wire_error {
+    uint16_t code;
+    char message[2048];
+} spear_wire_error;
+
+enum { SPEAR_BLOCK_NONE = 0, SPEAR_BLOCK_BEGIN = 1, SPEAR_BLOCK_END = 2 };
+enum { SPEAR_STATE_RUNNING = 0, SPEAR_STATE_HELD_BY_YOU = 1, SPEAR_STATE_HELD_BY_OTHER = 2, SPEAR_STATE_BUSY = 3, SPEAR_STATE_EXITING = 4 };
+enum { SPEAR_LEASE_OFF = 0xffffffffu };
+
+/* A batch of operations (protocol/spear.capnp, Batch). */
+typedef struct spear_batch {
+    uint64_t transaction;
+    uint8_t block;
+    uint8_t closes;
+    uint8_t abort;
+    uint8_t single_step;
+    spear_bytes types;
+    spear_bytes operations;
+    const uint64_t* releases;
+    size_t release_count;
+} spear_batch;
+
+/* The answers to one batch. has_error: the batch as a whole was refused or aborted. */
+typedef struct spear_answers {
+    spear_bytes types;
+    spear_bytes answers;
+    uint64_t frame;
+    uint8_t has_error;
+    uint16_t error_code;
+    const char* error_message;
+} spear_answers;
+
+typedef struct spear_status {
+    uint8_t state;
+    uint64_t frame;
+    uint32_t frames_age_ms;
+    char holder[256];
+    char detail[512];
+} spear_status;
+
+typedef struct spear_description {
+    char spear_version[64];
+    char engine[128];
+    char scene[256];
+    uint64_t process_id;
+    uint32_t sessions;
+} spear_description;
+
+/* Server half -----------------------------------------------------------------------------------------------------------
+ * Callbacks run on the server thread, one at a time, and must not block. Pointers in their arguments are valid during the call. */
+
+typedef struct spear_server spear_server;
+
+typedef struct spear_hello {
+    uint64_t session;
+    const char* client_name;
+    uint64_t process_id;
+    uint32_t lease_ms; /* as agreed */
+    const char* const* entry_points;
+    size_t entry_point_count;
+} spear_hello;
+
+typedef struct spear_server_callbacks {
+    void* user;
+    /* A client wants a session; nonzero admits it, zero refuses with the error. Protocol version, token and limits::max_sessions were checked. */
+    int (*connect)(void* user, const spear_hello* hello, spear_wire_error* error);
+    /* The session is over (closed, connection lost, lease expired: the reason says which). No callback names it any more. */
+    void (*disconnect)(void* user, uint64_t session, const char* reason);
+    /* A batch arrived; answer exactly once with spear_server_reply(server, session, request, ...), from any thread. */
+    void (*submit)(void* user, uint64_t session, uint64_t request, const spear_batch* batch);
+    void (*status)(void* user, uint64_t session, spear_status* status);
+    void (*describe)(void* user, spear_description* description);
+} spear_server_callbacks;
+
+typedef struct spear_server_options {
+    const char* address;
+    const uint8_t* token; /* needed unless the address is a Unix socket or loopback */
+    size_t token_size;
+    const char* spear_version;
+    uint32_t default_lease_ms;
+    size_t max_message_bytes;
+    size_t max_sessions;
+    const char* registry_directory; /* where running engines are listed (one small JSON file each, removed at stop); NULL: the default directory */
+} spear_server_options;
+
+/* Binds, starts the server thread, returns when clients can connect. NULL with the error filled if not. */
+SPEAR_WIRE_API spear_server* spear_server_start(const spear_server_options* options, const spear_server_callbacks* callbacks, spear_wire_error* error);
+/* The address in a form that clients can use (the real port). Valid until stop. */
+SPEAR_WIRE_API const char* spear_server_address(const spear_server* server);
+/* Any thread. Copies the bytes. Unknown session or request (it may just have gone): ignored. Replies of one session arrive in call order. */
+SPEAR_WIRE_API void spear_server_reply(spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers);
+/* Any thread. Ends a session; its disconnect callback follows. */
+SPEAR_WIRE_API void spear_server_drop(spear_server* server, uint64_t session, const char* reason);
+/* Not from a callback. Ends all sessions, joins the thread, removes the socket. No callback runs afterwards. */
+SPEAR_WIRE_API void spear_server_stop(spear_server* server);
+
+/* Client half ------------------------------------------------------------------------------------------------------------ */
+
+typedef struct spear_client spear_client;
+
+typedef struct spear_client_options {
+    const char* address;
+    const uint8_t* token;
+    size_t token_size;
+    const char* spear_version;
+    const char* client_name;
+    uint32_t lease_ms; /* 0: the default; SPEAR_LEASE_OFF */
+    uint32_t connect_timeout_ms;
+    size_t max_message_bytes;
+    const char* const* entry_points;
+    size_t entry_point_count;
+} spear_client_options;
+
+/* Callbacks run on the client's I/O thread, one at a time, and must not block. */
+typedef struct spear_client_callbacks {
+    void* user;
+    /* The answers to the batch submitted under that number, in the order the server gave them. */
+    void (*answers)(void* user, uint64_t request, const spear_answers* answers);
+    /* Once, when the session ends for any reason but spear_client_close. Answers not yet given never come. */
+    void (*lost)(void* user, const spear_wire_error* error);
+} spear_client_callbacks;
+
+/* Connects, starts the I/O thread (which also renews the lease), returns when the session stands. NULL with the error filled if not. */
+SPEAR_WIRE_API spear_client* spear_client_connect(const spear_client_options* options, const spear_client_callbacks* callbacks, spear_wire_error* error);
+SPEAR_WIRE_API uint64_t spear_client_session(const spear_client* client);
+/* Any thread, never blocks; copies the bytes. Batches arrive in call order. `request` is chosen by the caller. Nonzero if the session is over. */
+SPEAR_WIRE_API int spear_client_submit(spear_client* client, uint64_t request, const spear_batch* batch);
+/* Any thread but the I/O thread. Asks the server thread; nonzero with the error filled if no answer within the timeout. */
+SPEAR_WIRE_API int spear_client_status(spear_client* client, uint32_t timeout_ms, spear_status* status, spear_wire_error* error);
+/* Not from a callback. Closes the session in good order, joins the thread. No callback runs afterwards. */
+SPEAR_WIRE_API void spear_client_close(spear_client* client);
+
+/* Asks the engine at an address what it is, without a session. Nonzero with the error filled if it cannot. */
+SPEAR_WIRE_API int spear_describe(const char* address, uint32_t timeout_ms, spear_description* description, spear_wire_error* error);
+
+/* Listing ----------------------------------------------------------------------------------------------------------------- */
+
+/* The directory for this user's sockets and engine list: $XDG_RUNTIME_DIR/spear or /tmp/spear-<uid>, mode 0700, made if absent.
+ * Returns its length (0: none can be had safely); the buffer is filled, with a final zero, if it is larger. */
+SPEAR_WIRE_API size_t spear_runtime_directory(char* buffer, size_t size);
+/* Calls `each` for every engine of this user that is running; NULL: the default directory. Returns their number. */
+SPEAR_WIRE_API size_t spear_list_engines(const char* directory, void* user, void (*each)(void* user, const char* address, uint64_t process_id));
+
+#ifdef __cplusplus
+}
+#endif
+#endif
