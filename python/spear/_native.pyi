@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""The native half of the package: sessions, operations, values. Everything here is used through the classes of ``spear``."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Generic, TypeVar
+
+_T = TypeVar("_T")
+
+__version__: str
+SYNC: int
+ASYNC: int
+SEND: int
+LEASE_OFF: int
+#: (name, parent, meaning) of every error, from ``spear/error_code.hpp``.
+ERROR_ROWS: list[tuple[str, str, str]]
+#: (name, parameter names, "game_thread" | "any_frame" | "server_thread", documentation, signature) of every entry point.
+ENTRY_POINTS: list[tuple[str, list[str], str, str, str]]
+
+class Object:
+    """An object of the engine: the session, a weak handle, the class as it was when the engine sent it."""
+
+    @property
+    def _session(self) -> Session: ...
+    @property
+    def _handle(self) -> int: ...
+    @property
+    def _class_name(self) -> str: ...
+    @property
+    def _class_names(self) -> tuple[str, ...]:
+        """The class and those it derives from, most derived first."""
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
+
+class Future(Generic[_T]):
+    """The result of an asynchronous operation. May be an argument of later operations, in any position."""
+
+    def get(self, timeout: float | None = None) -> _T:
+        """Waits while the operation is pending (at most ``timeout`` seconds), then returns its result or raises its error. Any thread."""
+    def is_ready(self) -> bool:
+        """Whether get() would return (or raise) at once."""
+    @property
+    def object(self) -> Any:
+        """The object that the future will be, as the target of further calls without waiting."""
+    @property
+    def _session(self) -> Session: ...
+
+class Session:
+    """A session with an engine."""
+
+    @property
+    def address(self) -> str: ...
+    @property
+    def session_id(self) -> int: ...
+    @property
+    def process_id(self) -> int | None: ...
+    @property
+    def is_open(self) -> bool: ...
+    def begin_block(self) -> None: ...
+    def end_block(self) -> None: ...
+    def close_block(self, single_step: bool) -> None: ...
+    def abort_block(self) -> None: ...
+    def flush(self) -> None: ...
+    def close(self) -> None: ...
+    def call(self, entry_point: str, args: tuple[Any, ...], kwargs: Mapping[str, Any], mode: int) -> Any: ...
+    def call_function(self, target: Any, function: str, args: tuple[Any, ...], kwargs: Mapping[str, Any], mode: int) -> Any: ...
+    def get_property(self, target: Any, path: str, mode: int) -> Any: ...
+    def set_property(self, target: Any, path: str, value: Any, mode: int) -> Any: ...
+
+def connect(*, address: str, token: bytes, lease_ms: int, deadline_ms: int, timeout_ms: int) -> Session: ...
+def launch(
+    *, scene: str, executable: str, arguments: Sequence[str], fps: float, fixed_dt: float, address: str, paused: bool, log_file: str,
+    lease_ms: int, deadline_ms: int, timeout_ms: int,
+) -> Session: ...
+def list_engines() -> list[tuple[str, int]]:
+    """(address, process id) of every engine of this user that runs."""
+def describe_engine(address: str, timeout_ms: int) -> dict[str, Any]:
+    """spear_version, engine, scene, process_id, sessions of the engine at an address, without a session."""
+def setup(
+    object_class: type, struct_base: type, struct_class: Callable[[str, Sequence[str]], type],
+    enum_class: Callable[[str, Sequence[tuple[str, int]]], type], errors: Mapping[str, type], future_object: Callable[[Any], Any],
+) -> None: ...

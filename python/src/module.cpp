@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// spear._native: the SDK for Python. Binding only; see _native.pyi for what each thing is.
+
+#include <chrono>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+#include "classes.hpp"
+#include "session.hpp"
+#include "spear_wire.h"
+
+namespace spear::python {
+
+void set_python_error(const detail::ErrorBase& error) {
+    const ErrorInfo& info = error.info();
+    nb::object python_class = nb::borrow(PyDict_GetItemString(classes.errors, std::string(error.name()).c_str()));
+    nb::object made = python_class(info.message, info.operation, info.argument, info.expected);
+    if (const ErrorInfo* original = error.original()) {
+        nb::object original_class = nb::borrow(PyDict_GetItemString(classes.errors, std::string(error_name(original->code)).c_str()));
+        nb::object cause = original_class(original->message, original->operation, original->argument, original->expected);
+        PyException_SetCause(made.ptr(), cause.release().ptr());
+    }
+    PyErr_SetObject(python_class.ptr(), made.ptr());
+}
+
+namespace {
+
+const char* runs_on_name(RunsOn thread) {
+    return thread == RunsOn::game_thread ? "game_thread" : thread == RunsOn::any_frame ? "any_frame" : "server_thread";
+}
+
+SessionOptions session_options(const std::string& address, nb::bytes token, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+    SessionOptions options;
+    options.address = address;
+    options.token.assign(static_cast<const char*>(token.data()), token.size());
+    options.no_lease = lease_ms == SPEAR_LEASE_OFF;
+    options.lease = Milliseconds(options.no_lease ? 0 : lease_ms);
+    if (deadline_ms != 0) {
+        options.deadline = Milliseconds(deadline_ms);
+    }
+    options.connect_timeout = Milliseconds(timeout_ms);
+    return options;
+}
+
+nb::object wrap(Instance instance) { return nb::cast(new PySession(std::move(instance)), nb::rv_policy::take_ownership); }
+
+nb::object connect_python(const std::string& address, nb::bytes token, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+    const SessionOptions options = session_options(address, token, lease_ms, deadline_ms, timeout_ms);
+    std::optional<Instance> instance;
+    {
+        const nb::gil_scoped_release unlock;
+        instance.emplace(spear::connect(address, options));
+    }
+    return wrap(std::move(*instance));
+}
+
+nb::object launch_python(const std::string& scene, const std::string& executable, const std::vector<std::string>& arguments, double fps, double fixed_dt,
+    const std::string& address, bool paused, const std::string& log_file, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+    LaunchOptions options;
+    options.scene = scene;
+    options.executable = executable;
+    options.arguments = arguments;
+    if (fps >= 0) options.fps = fps;
+    if (fixed_dt > 0) options.fixed_dt = fixed_dt;
+    options.address = address;
+    options.paused = paused;
+    options.log_file = log_file;
+    options.no_lease = lease_ms == SPEAR_LEASE_OFF;
+    options.lease = Milliseconds(options.no_lease ? 0 : lease_ms);
+    if (deadline_ms != 0) options.deadline = Milliseconds(deadline_ms);
+    options.connect_timeout = Milliseconds(timeout_ms);
+    std::optional<Instance> instance;
+    {
+        const nb::gil_scoped_release unlock;
+        instance.emplace(spear::launch(options));
+    }
+    return wrap(std::move(*instance));
+}
+
+nb::list list_engines() {
+    nb::list engines;
+    spear_list_engines(nullptr, &engines, [](void* user, const char* address, std::uint64_t process_id) {
+        static_cast<nb::list*>(user)->append(nb::make_tuple(address, process_id));
+    });
+    return engines;
+}
+
+nb::dict describe_engine(const std::string& address, std::uint32_t timeout_ms) {
+    spear_description description{};
+    spear_wire_error error{};
+    int failed = 0;
+    {
+        const nb::gil_scoped_release unlock;
+        failed = spear_describe(address.c_str(), timeout_ms, &description, &error);
+    }
+    if (failed) {
+        throw_error(static_cast<ErrorCode>(error.code), error.message);
+    }
+    nb::dict result;
+    result["spear_version"] = description.spear_version;
+    result["engine"] = description.engine;
+    result["scene"] = description.scene;
+    result["process_id"] = description.process_id;
+    result["sessions"] = description.sessions;
+    return result;
+}
+
+void setup(nb::handle object_class, nb::handle struct_base, nb::handle struct_class, nb::handle enum_class, nb::handle errors, nb::handle future_object) {
+    classes = {Py_NewRef(object_class.ptr()), Py_NewRef(struct_base.ptr()), Py_NewRef(struct_class.ptr()), Py_NewRef(enum_class.ptr()),
+        Py_NewRef(errors.ptr()), Py_NewRef(future_object.ptr())};
+}
+
+nb::object future_get(const NativeFuture& future, std::optional<double> timeout) {
+    RawResult result;
+    {
+        const nb::gil_scoped_release unlock;
+        result = future.operation.get(timeout ? std::optional(Milliseconds(static_cast<std::int64_t>(*timeout * 1000))) : std::nullopt);
+    }
+    return future.has_result ? decode_result(result, future.session) : nb::none();
+}
+
+} // namespace
+
+NB_MODULE(_native, module) {
+    nb::set_leak_warnings(false); // objects that outlive the interpreter's shutdown order are no defect of a script
+
+    nb::register_exception_translator([](const std::exception_ptr& pointer, void*) {
+        try {
+            std::rethrow_exception(pointer);
+        } catch (const detail::ErrorBase& error) {
+            set_python_error(error);
+        }
+    });
+
+    module.attr("__version__") = spear::version;
+    module.attr("SYNC") = static_cast<int>(sync_mode);
+    module.attr("ASYNC") = static_cast<int>(async_mode);
+    module.attr("SEND") = static_cast<int>(send_mode);
+    module.attr("LEASE_OFF") = static_cast<std::uint32_t>(SPEAR_LEASE_OFF);
+
+    nb::list error_list;
+    for (const ErrorRow& row : error_rows) {
+        error_list.append(nb::make_tuple(row.name, error_name(row.parent), row.meaning));
+    }
+    module.attr("ERROR_ROWS") = error_list;
+    nb::list entry_point_list;
+    AllEntryPoints::for_each([&](auto entry) {
+        using E = decltype(entry);
+        nb::list parameters;
+        for (const std::string_view name : E::parameters) {
+            parameters.append(name);
+        }
+        entry_point_list.append(nb::make_tuple(E::name, parameters, runs_on_name(E::runs_on), E::documentation, E::signature()));
+    });
+    module.attr("ENTRY_POINTS") = entry_point_list;
+
+    nb::class_<NativeObject>(module, "Object")
+        .def_prop_ro("_session", [](const NativeObject& self) { return self.session; })
+        .def_prop_ro("_handle", [](const NativeObject& self) { return self.ref.handle; })
+        .def_prop_ro("_class_name", [](const NativeObject& self) {
+            const TypeInfo* info = session_of(self.session).session()->types().find(self.ref.class_type);
+            return info ? info->name : std::string("UObject");
+        })
+        .def_prop_ro("_class_names", [](const NativeObject& self) { return session_of(self.session).class_names(self.ref.class_type); })
+        .def("__eq__", [](const NativeObject& self, nb::handle other) -> nb::object {
+            if (!nb::isinstance<NativeObject>(other)) return nb::borrow(Py_NotImplemented);
+            const NativeObject& right = *nb::inst_ptr<NativeObject>(other);
+            return nb::bool_(self.ref.handle == right.ref.handle && self.session.is(right.session));
+        }, nb::arg("other").none())
+        .def("__hash__", [](const NativeObject& self) { return std::hash<std::uint64_t>()(self.ref.handle); });
+
+    nb::class_<NativeFuture>(module, "Future", nb::is_generic())
+        .def("get", &future_get, nb::arg("timeout") = nb::none())
+        .def("is_ready", [](const NativeFuture& self) { return self.operation.is_ready(); })
+        .def_prop_ro("object", [](nb::handle self) { return nb::handle(classes.future_object)(self); })
+        .def_prop_ro("_session", [](const NativeFuture& self) { return self.session; })
+        .def("__repr__", [](const NativeFuture& self) {
+            return "<spear.Future " + std::to_string(self.operation.number()) + (self.operation.is_ready() ? ">" : " (pending)>");
+        });
+
+    nb::class_<PySession>(module, "Session")
+        .def_prop_ro("address", [](PySession& self) { return self.session()->address(); })
+        .def_prop_ro("session_id", [](PySession& self) { return self.session()->id(); })
+        .def_prop_ro("process_id", [](PySession& self) -> std::optional<std::int64_t> {
+            const EngineProcess* process = self.instance().process();
+            return process ? std::optional(process->process_id()) : std::nullopt;
+        })
+        .def_prop_ro("is_open", [](PySession& self) { return self.session()->is_open(); })
+        .def("begin_block", &PySession::begin_block)
+        .def("end_block", &PySession::end_block)
+        .def("close_block", &PySession::close_block)
+        .def("abort_block", &PySession::abort_block)
+        .def("flush", &PySession::flush)
+        .def("close", &PySession::close)
+        .def("call", [](nb::handle self, std::string_view entry_point, nb::tuple args, nb::dict kwargs, int mode) {
+            return PySession::call(self, entry_point, args, kwargs, mode);
+        })
+        .def("call_function", [](nb::handle self, nb::handle target, nb::str function, nb::tuple args, nb::dict kwargs, int mode) {
+            return PySession::call_function(self, target, function, args, kwargs, mode);
+        })
+        .def("get_property", [](nb::handle self, nb::handle target, nb::str path, int mode) { return PySession::get_property(self, target, path, mode); })
+        .def("set_property", [](nb::handle self, nb::handle target, nb::str path, nb::handle value, int mode) {
+            return PySession::set_property(self, target, path, value, mode);
+        }, nb::arg("target"), nb::arg("path"), nb::arg("value").none(), nb::arg("mode"));
+
+    module.def("connect", &connect_python, nb::kw_only(), nb::arg("address"), nb::arg("token"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+    module.def("launch", &launch_python, nb::kw_only(), nb::arg("scene"), nb::arg("executable"), nb::arg("arguments"), nb::arg("fps"), nb::arg("fixed_dt"),
+        nb::arg("address"), nb::arg("paused"), nb::arg("log_file"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+    module.def("list_engines", &list_engines);
+    module.def("describe_engine", &describe_engine, nb::arg("address"), nb::arg("timeout_ms"));
+    module.def("setup", &setup);
+}
+
+} // namespace spear::python

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What Python sees of a session: PySession, NativeObject, NativeFuture. All members are guarded by Python's lock (the module declares
+// no free threading), except that waits release it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <nanobind/nanobind.h>
+
+#include "spear/spear.hpp"
+
+namespace spear::python {
+namespace nb = nanobind;
+
+enum Mode : int { sync_mode = 0, async_mode = 1, send_mode = 2 };
+
+/// How values of a Python struct class are written.
+struct StructWriter {
+    TypeId numbers = types::null;     ///< announced type whose fields are numbers; null if the class names none
+    TypeId anything = types::null;    ///< announced type with fields of any type
+    std::vector<PyObject*> fields;    ///< interned names, kept alive by the class
+    std::vector<TypeId> field_types;  ///< of `numbers`
+};
+
+/// How values of an announced struct or enum are read.
+struct StructReader {
+    PyObject* made = nullptr;         ///< the class (owned)
+    std::vector<PyObject*> fields;    ///< interned names (owned)
+    PyObject* value_to_member = nullptr; ///< enums: {number: member} (owned)
+};
+
+class __attribute__((visibility("hidden"))) PySession {
+public:
+    explicit PySession(Instance instance) : instance_(std::move(instance)), session_(instance_.session()) {}
+    ~PySession();
+    PySession(const PySession&) = delete;
+    PySession& operator=(const PySession&) = delete;
+
+    const std::shared_ptr<Session>& session() const { return session_; }
+    Instance& instance() { return instance_; }
+
+    // Operations ---------------------------------------------------------------------------------------------------------
+    // `self` is the Python object of this session: objects and futures refer to it.
+
+    static nb::object call(nb::handle self, std::string_view entry_point, nb::tuple args, nb::handle kwargs, int mode);
+    static nb::object call_function(nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode);
+    static nb::object get_property(nb::handle self, nb::handle target, nb::handle path, int mode);
+    static nb::object set_property(nb::handle self, nb::handle target, nb::handle path, nb::handle value, int mode);
+
+    // Blocks -------------------------------------------------------------------------------------------------------------
+
+    void begin_block();
+    void end_block();
+    void close_block(bool single_step);
+    void abort_block();
+    void flush();
+    void close();
+
+    // Caches -------------------------------------------------------------------------------------------------------------
+
+    const StructWriter& writer_for(PyTypeObject* type);
+    const StructReader& struct_reader(TypeId type, const TypeInfo& info);
+    const StructReader& enum_reader(TypeId type, const TypeInfo& info);
+    nb::object class_names(TypeId class_type);
+
+private:
+    static nb::object perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result);
+    ShapeId function_shape(nb::handle function, std::size_t positional, nb::handle kwargs);
+    ShapeId path_shape(nb::handle path);
+
+    Instance instance_;
+    std::shared_ptr<Session> session_;
+    std::unordered_map<std::string, ShapeId> function_shapes_;
+    std::unordered_map<std::string, ShapeId> path_shapes_;
+    std::unordered_map<PyTypeObject*, StructWriter> writers_;
+    std::unordered_map<TypeId, StructReader> readers_;
+};
+
+/// Base of spear.UnrealObject.
+struct __attribute__((visibility("hidden"))) NativeObject {
+    nb::object session; // a PySession
+    ObjectRef ref;
+};
+
+struct __attribute__((visibility("hidden"))) NativeFuture {
+    nb::object session; // a PySession
+    OperationHandle operation;
+    bool has_result = true;
+};
+
+inline PySession& session_of(nb::handle self) { return *nb::inst_ptr<PySession>(self); }
+
+// encode.cpp: appends a Python value as an argument. Raises TypeError, OverflowError for what has no place on the wire.
+void encode_python(OperationBuilder& operation, PySession& session, nb::handle value, std::size_t depth = 0);
+
+// decode.cpp: reads one value.
+nb::object decode_python(Decoder& in, TypeId type, nb::handle session);
+nb::object decode_result(const RawResult& result, nb::handle session);
+
+// errors.cpp
+void set_python_error(const detail::ErrorBase& error);
+
+} // namespace spear::python
