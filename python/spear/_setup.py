@@ -16,7 +16,8 @@ def _enum_class(name: str, entries: Sequence[tuple[str, int]]) -> type[enum.IntE
     for entry, value in entries:
         # Names that Python reserves get an underscore, as in the stubs; the first of two names for one value wins, as in Unreal.
         members.setdefault(entry + "_" if entry in ("None", "True", "False", "mro") else entry, value)
-    return enum.IntEnum(name, members)
+    made: type[enum.IntEnum] = enum.IntEnum(name, members)  # type: ignore[misc]  # a name known at run time only
+    return made
 
 
 _native.setup(UnrealObject, structs.Struct, structs.struct_class, _enum_class, errors.BY_NAME, future_object)

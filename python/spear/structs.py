@@ -105,7 +105,7 @@ def struct_class(name: str, field_names: Sequence[str] = ()) -> type[Struct]:
     names = tuple(field_names)
     slots = tuple(n for n in names if n.isidentifier())
     namespace: dict[str, Any] = {"__slots__": slots if slots == names else ("__dict__",), "struct_name": "", "field_names": names}
-    made = type(name, (Struct,), namespace)
+    made: type[Struct] = type(name, (Struct,), namespace)
     made.struct_name = name
     _classes.setdefault(name, made)
     return made
@@ -126,7 +126,7 @@ class _Numbers(Struct):
             raise ValueError(f"{cls.struct_name} needs an array of shape ({len(cls.field_names)},), got {values.shape}")
         return cls(*values.tolist())
 
-    def to_numpy(self, dtype: npt.DTypeLike = None) -> npt.NDArray[Any]:
+    def to_numpy(self, dtype: npt.DTypeLike | None = None) -> npt.NDArray[Any]:
         """The fields in order as an array (float64 unless told)."""
         import numpy as np
 
@@ -331,7 +331,7 @@ class FColor(_Numbers):
     R: int
     A: int
 
-    def to_numpy(self, dtype: npt.DTypeLike = None) -> npt.NDArray[Any]:
+    def to_numpy(self, dtype: npt.DTypeLike | None = None) -> npt.NDArray[Any]:
         """R, G, B, A as uint8."""
         import numpy as np
 

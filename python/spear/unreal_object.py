@@ -91,6 +91,8 @@ class AsyncNamespace:
     """``object.async_`` and ``object.send_``: functions and variables of an object (or of a future one), not waited for."""
 
     __slots__ = ("_target", "_mode")
+    _target: Any
+    _mode: int
 
     def __init__(self, target: Any, mode: int) -> None:
         _set(self, "_target", target)
@@ -124,6 +126,9 @@ class Member:
     """A function or variable of an object, by name; nothing is sent before it is called, got or set."""
 
     __slots__ = ("_target", "_path", "_mode")
+    _target: Any
+    _path: str
+    _mode: int
 
     def __init__(self, target: Any, path: str, mode: int) -> None:
         _set(self, "_target", target)
@@ -155,7 +160,7 @@ class Member:
         return self._target._session.set_property(self._target, self._path, value, self._mode)
 
     @property
-    def async_(self) -> Member | AsyncNamespace:
+    def async_(self) -> Member:
         """The same place, asynchronously: ``actor.RootComponent.async_.K2_GetComponentLocation()``."""
         return Member(self._target, self._path, ASYNC)
 
@@ -187,7 +192,7 @@ class Member:
     def __bool__(self) -> bool:
         self._refuse()
 
-    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _refuse  # type: ignore[assignment]
+    __eq__ = __ne__ = __lt__ = __le__ = __gt__ = __ge__ = _refuse
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _refuse
     __neg__ = __float__ = __int__ = __index__ = __len__ = __iter__ = __contains__ = _refuse
     __hash__ = None  # type: ignore[assignment]
@@ -214,6 +219,8 @@ class FutureObject:
     """
 
     __slots__ = ("_future", "_session")
+    _future: Future[Any]
+    _session: _Redirect
 
     def __init__(self, future: Future[Any]) -> None:
         _set(self, "_future", future)

@@ -215,7 +215,7 @@ def curtain_rod(length: float, material: str = "brass") -> Mesh:
     return mesh
 
 
-def leaf_blade(material: str, length: float, width: float, droop: float, steps: int = 7, cup: float = 0.25, tip: float = 0.85) -> Mesh:
+def leaf_blade(material: str, length: float, width: float, droop: float, steps: int = 7, cup: float = 0.25, tip: float = 0.85, rows: int = 5) -> Mesh:
     """A leaf from the origin along +X, drooping downwards along its length; texture from 0 to 1."""
 
     def shape(u: Array, v: Array) -> Array:
@@ -227,7 +227,7 @@ def leaf_blade(material: str, length: float, width: float, droop: float, steps: 
         lift = cup * np.abs(v - 0.5) * 2 * width * 0.5 * outline
         return np.stack([x - lift * np.sin(angle), y + lift * np.cos(angle), -side], 1)
 
-    return surface(material, shape, 5, steps)
+    return surface(material, shape, rows, steps)
 
 
 def plant_pot(material: str, radius: float, height: float) -> Mesh:
@@ -298,7 +298,7 @@ def fern(seed: int, radius: float, fronds: int, material: str = "leaf_light") ->
             t = i / len(path)
             size = 0.34 * radius * (math.sin(math.pi * (0.12 + 0.85 * t)) ** 0.8)
             for side in (-1, 1):
-                frond.add(leaf_blade(material, size, size * 0.30, 0.5, 5, 0.1).rotate("y", side * 62).rotate("z", -10 * t).move(*path[i]))
+                frond.add(leaf_blade(material, size, size * 0.30, 0.5, 5, 0.1, rows=3).rotate("y", side * 62).rotate("z", -10 * t).move(*path[i]))
         mesh.add(frond.rotate("y", a))
     return mesh
 
@@ -314,7 +314,7 @@ def trailing_plant(seed: int, strands: int, length: float) -> Mesh:
         strand = tube("stem", path, 0.0018, 5, caps=False)
         for i in range(1, len(path)):
             size = float(random.uniform(0.035, 0.06))
-            strand.add(leaf_blade("leaf" if i % 2 else "leaf_light", size, size * 0.85, 0.8, 5).rotate("z", -25 + random.normal() * 20).rotate("y", float(random.uniform(-80, 80))).move(*path[i]))
+            strand.add(leaf_blade("leaf" if i % 2 else "leaf_light", size, size * 0.85, 0.8, 5, rows=3).rotate("z", -25 + random.normal() * 20).rotate("y", float(random.uniform(-80, 80))).move(*path[i]))
         mesh.add(strand.rotate("y", k * 360 / strands + random.normal() * 8))
     return mesh
 
@@ -413,9 +413,9 @@ def radiator(width: float, height: float) -> Mesh:
     for k in range(count):
         x = -width / 2 + (k + 0.5) * width / count
         for z in (0.045, 0.095):
-            mesh.add(tube("white_lacquer", [(x, 0.13, z), (x, 0.10 + height - 0.03, z)], 0.0125, 8, caps=False))
+            mesh.add(tube("white_lacquer", [(x, 0.13, z), (x, 0.10 + height - 0.03, z)], 0.0125, 7, caps=False))
         for y in (0.115, 0.10 + height - 0.018):
-            mesh.add(box("white_lacquer", (width / count * 0.96, 0.034, 0.085), 0.012, 1).move(x, y, 0.07))
+            mesh.add(box("white_lacquer", (width / count * 0.96, 0.034, 0.085), 0.004, 1).move(x, y, 0.07))
     for side in (-1, 1):
         mesh.add(box_at("white_lacquer", (0.03, 0.11, 0.05), side * width * 0.4, 0, 0.07, 0.004))
     valve = tube("chrome", [(width / 2, 0.115, 0.07), (width / 2 + 0.05, 0.115, 0.07), (width / 2 + 0.05, 0.0, 0.07)], 0.008, 10)

@@ -170,7 +170,7 @@ def bed(width: float, length: float) -> Mesh:
     return mesh
 
 
-def duvet(width: float, length: float, fabric: str, seed: int) -> Mesh:
+def duvet(width: float, length: float, fabric: str, seed: int, rows: int = 52) -> Mesh:
     """A duvet over a mattress whose top is y = 0: it covers z from -length/2 on, hangs over both sides, and is thrown into folds."""
     overhang = 0.30
     top = width / 2 + 0.015
@@ -194,7 +194,7 @@ def duvet(width: float, length: float, fabric: str, seed: int) -> Mesh:
         lift = puff * (1 - 0.55 * np.maximum(foot, head) ** 2) * (1 - 0.4 * edge_fold)
         return np.stack([np.sign(s) * (x + (lift * 0.5 + ripple) * edge_fold), y + lift * (1 - edge_fold * 0.8) + 0.03, z], 1)
 
-    mesh = surface(fabric, shape, 64, 76, (width + 0.6, length), flip=True)
+    mesh = surface(fabric, shape, rows, 72, (width + 0.6, length), flip=True)
     hem = union(*(tube(fabric, [tuple(p) for p in shape(np.linspace(0, 1, 60), np.full(60, v))], 0.016, 8) for v in (0.0, 1.0)))
     turned = union(
         *(tube(fabric, [tuple(p) for p in shape(np.full(40, u), np.linspace(0, 1, 40))], 0.010, 6) for u in (0.0, 1.0))

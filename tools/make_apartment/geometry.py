@@ -432,3 +432,20 @@ def sweep(material: str, profile: Iterable[tuple[float, float]], length: float) 
         triangles = fan if float(face @ normal) > 0 else fan[:, ::-1]
         parts.append(Part(material, positions, np.tile(normal, (n, 1)), points.copy(), triangles))
     return Mesh(parts)
+
+
+def leaf_tuft(material: str, count: int, length: float, seed: int) -> Mesh:
+    """Small leaves standing up from the origin in all directions; for bunches and herbs."""
+    random = np.random.default_rng(seed + 61)
+    mesh = Mesh()
+    for k in range(count):
+        size = length * float(random.uniform(0.6, 1.0))
+        droop = 0.8
+
+        def shape(u: Array, v: Array, size: float = size, droop: float = droop) -> Array:
+            side = (v - 0.5) * size * 0.32 * np.sin(math.pi * np.clip(u, 0.02, 1) ** 0.8)
+            return np.stack([size * np.sin(droop * u) / droop, -size * (1 - np.cos(droop * u)) / droop + 0.12 * np.abs(side), -side], 1)
+
+        blade = surface(material, shape, 3, 6)
+        mesh.add(blade.rotate("z", float(random.uniform(30, 85))).rotate("y", 137.5 * k))
+    return mesh

@@ -100,7 +100,8 @@ def _report(rows: dict[str, list[float]], as_json: bool) -> None:
     for name, values in rows.items():
         ordered = sorted(values)
         summary[name] = {"median_us": ordered[len(ordered) // 2], "p99_us": ordered[min(len(ordered) - 1, int(len(ordered) * 0.99))]}
-    machine = {"machine": platform.machine(), "system": platform.platform(), "cores": os.cpu_count(), "load": os.getloadavg(), "python": platform.python_version()}
+    load = os.getloadavg()
+    machine: dict[str, object] = {"machine": platform.machine(), "system": platform.platform(), "cores": os.cpu_count(), "load": load, "python": platform.python_version()}
     if as_json:
         click.echo(json.dumps({"machine": machine, "rows": summary}, indent=2))
         return
@@ -109,4 +110,4 @@ def _report(rows: dict[str, list[float]], as_json: bool) -> None:
     click.echo(f"{'':<{width}}  median us     p99 us   of floor")
     for name, row in summary.items():
         click.echo(f"{name:<{width}} {row['median_us']:>10.2f} {row['p99_us']:>10.2f} {row['median_us'] / floor:>10.2f}")
-    click.echo(f"{machine['cores']} cores, load {machine['load'][0]:.1f}, {machine['system']}, Python {machine['python']}")
+    click.echo(f"{machine['cores']} cores, load {load[0]:.1f}, {machine['system']}, Python {machine['python']}")

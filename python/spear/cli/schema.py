@@ -48,7 +48,7 @@ def live(address: str, modules: tuple[str, ...], output: Path | None) -> None:
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 def check(file: Path) -> None:
     """Check that FILE is a schema (against the JSON Schema)."""
-    import jsonschema
+    import jsonschema  # type: ignore[import-untyped]
 
     from spear.programs import source_directory
 
