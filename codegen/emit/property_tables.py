@@ -42,6 +42,7 @@ class PropertyTables:
         if entity is not None:
             self.includes.add(self.schemas.includes[entity["name"]])
             return f"&{entity['name']}::StaticClass"
+        name = "UInterface" if name == "IInterface" else name  # FScriptInterface: any interface
         if name in INTRINSIC_INCLUDES:
             self.includes.add(INTRINSIC_INCLUDES[name])
             return f"&{name}::StaticClass"

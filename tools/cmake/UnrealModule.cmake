@@ -10,7 +10,9 @@ set(SPEAR_UNREAL_FLAGS -fno-exceptions -fno-rtti -fvisibility=hidden -fvisibilit
     -Werror -Wno-unused-parameter)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # UObjects are allocated zeroed before their constructor runs, and members without initialiser rely on it, as in Unreal.
-    list(APPEND SPEAR_UNREAL_FLAGS -fno-lifetime-dse)
+    # g++ 12's flow analysis reports impossible sizes in inlined containers; Unreal's compiler here is clang, which the ue-like preset uses.
+    list(APPEND SPEAR_UNREAL_FLAGS -fno-lifetime-dse -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds -Wno-maybe-uninitialized
+        -Wno-free-nonheap-object -Wno-restrict)
 endif()
 set(SPEAR_UNREAL_DEFINITIONS WITH_EDITOR=0 WITH_EDITORONLY_DATA=0 WITH_METADATA=1 UE_BUILD_DEVELOPMENT=1 UE_BUILD_DEBUG=0 UE_BUILD_SHIPPING=0
     PLATFORM_LINUX=1 SPEAR_EMBEDDED_ENGINE=1)
@@ -46,6 +48,9 @@ function(spear_unreal_module)
         set_target_properties(${target} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
     endif()
     set_target_properties(${target} PROPERTIES BUILD_RPATH "\$ORIGIN" INSTALL_RPATH "\$ORIGIN")
+    if(NOT SPEAR_SANITIZE)
+        target_link_options(${target} PRIVATE -Wl,--no-undefined)
+    endif()
     if(SPEAR_UE_LIKE)
         target_compile_options(${target} PUBLIC -stdlib=libc++)
         target_link_options(${target} PUBLIC -stdlib=libc++ -fuse-ld=lld)

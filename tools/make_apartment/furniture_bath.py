@@ -109,7 +109,10 @@ def toilet() -> Mesh:
 def vanity(width: float) -> Mesh:
     """A wash-stand: oak cabinet with two drawers hung on the wall and a ceramic top with a basin."""
     d = 0.48
-    mesh = box_at("oak", (width, 0.44, d - 0.02), 0, 0.38, (d - 0.02) / 2, 0.003)
+    # The box is lower than its sides and fronts, so that the basin has room.
+    mesh = box_at("oak", (width - 0.02, 0.33, d - 0.03), 0, 0.38, (d - 0.02) / 2, 0.003)
+    for side in (-1, 1):
+        mesh.add(box_at("oak", (0.018, 0.44, d - 0.02), side * (width - 0.018) / 2, 0.38, (d - 0.02) / 2, 0.003))
     for k in range(2):
         mesh.add(box_at("oak", (width - 0.006, 0.214, 0.02), 0, 0.383 + 0.218 * k, d - 0.010, 0.003))
         mesh.add(bar_handle("brass", 0.26).move(0, 0.383 + 0.218 * k + 0.165, d))

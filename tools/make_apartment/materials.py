@@ -193,7 +193,7 @@ MATERIALS: dict[str, Material] = {
     "stem": Material(colour=(0.33, 0.42, 0.18), roughness=0.6),
     "soil": Material("soil", 0.2),
     "bark": Material("bark", 0.5),
-    "grass": Material("grass", 1.6),
+    "grass": Material("grass", 2.9),
     "petal": Material(colour=(0.93, 0.55, 0.50), roughness=0.6, two_sided=True),
     "apple": Material("citrus", 0.08, (0.72, 0.12, 0.09)),
     "orange": Material("citrus", 0.08, (0.95, 0.50, 0.08)),

@@ -367,7 +367,7 @@ struct Codec<std::map<std::string, T>> {
 /// A plain struct becomes a dict by naming its members once:
 ///     template <> struct spear::Members<Vector> { static constexpr auto list = std::tuple{Member{"X", &Vector::X}, ...};
 ///                                                 static constexpr std::string_view name = "Vector"; };
-/// Reading takes the members in any order; one that is absent keeps its default.
+/// Reading takes the members in any order; one that is absent from a dict keeps its default.
 template <typename C, typename T>
 struct Member {
     std::string_view name;
@@ -392,7 +392,8 @@ struct Codec<T> {
         out.put(static_cast<std::uint32_t>(std::tuple_size_v<decltype(Members<T>::list)>));
         std::apply([&](const auto&... member) { (encode_member(out, value, member), ...); }, Members<T>::list);
     }
-    /// Takes a dict, an announced struct, or a list of the members in order.
+    /// Takes a dict, a list of the members in order, or an announced struct: that has all members, and more only if it has the same
+    /// name (so that a part of a large Unreal struct can be read, but an FVector is no FVector2D).
     static CodecError decode(Decoder& in, TypeId type, const DecodeContext& context, T& value) {
         CodecError error = CodecError::none;
         if (type == types::dict) {
@@ -412,13 +413,19 @@ struct Codec<T> {
         }
         const TypeInfo* info = context.tables.find(type);
         if (!info || info->kind != TypeKind::structure) return CodecError::wrong_type;
+        std::size_t found = 0;
         for (const FieldInfo& field : info->fields) {
+            bool known = false;
             error = set_member(field.name, value, [&](auto& member) {
+                known = true;
                 return decode_element(in, field.type, context, member);
             });
-            if (error != CodecError::none) break;
+            if (known && error != CodecError::none) return error;
+            if (!known && info->name != name) return CodecError::wrong_type;
+            if (!known) skip_payload(in, field.type, context.tables);
+            found += known;
         }
-        return error;
+        return found == std::tuple_size_v<decltype(Members<T>::list)> ? CodecError::none : CodecError::wrong_type;
     }
 
 private:

@@ -80,7 +80,8 @@ struct TypeInfo {
     /// structure, enumeration, object_class: the C++ name ("FVector", "AActor"); call_shape: the function's name; path_shape: the
     /// path, e.g. "RootComponent.RelativeLocation.X".
     std::string name{};
-    std::string path{};               ///< structure, enumeration, object_class: the object path ("/Script/Engine.Actor"), may be empty
+    std::string path{};               ///< structure, enumeration, object_class: the object path ("/Script/Engine.Actor"), may be empty;
+                                      ///< call_shape: if the name stands for an alias (aliases.hpp), what was written: tried first
     TypeId element = types::null;     ///< array, set: element; map: value; object_class: the announced super class (0 at UObject)
     TypeId key = types::null;         ///< map
     std::vector<FieldInfo> fields{};  ///< structure; call_shape: the arguments in the order sent, a positional one has an empty name

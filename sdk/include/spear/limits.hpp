@@ -28,6 +28,10 @@ inline constexpr std::size_t max_elements = 64u << 20;
 /// Types, call shapes and property paths that one session may announce.
 inline constexpr std::size_t max_announcements = 1u << 20;
 
+/// Bytes of memory that the values of one operation may take in the engine. A list of empty dictionaries is short on the wire and
+/// long as an array of large structs.
+inline constexpr std::size_t max_decoded_bytes = std::size_t{1} << 30;
+
 /// Values inside one value of an announced structure. Without it a few small announcements, each with two fields of the one
 /// before, would describe a value of no bytes and 2^64 parts.
 inline constexpr std::uint32_t max_type_weight = 1u << 14;

@@ -281,11 +281,13 @@ extern "C" spear_client* spear_client_connect(const spear_client_options* option
         client->entry_points.assign(options->entry_points, options->entry_points + options->entry_point_count);
         client->callbacks = *callbacks;
         client->thread = std::thread([raw = client.get()] { raw->run(); });
+        bool stands = false;
         {
             std::unique_lock lock(client->mutex);
             client->changed.wait(lock, [&] { return client->started; });
+            stands = client->queue != nullptr || client->connected;
         }
-        if (client->queue != nullptr || client->connected) {
+        if (stands) {
             return client.release();
         }
         client->thread.join();

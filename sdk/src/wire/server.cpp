@@ -64,7 +64,7 @@ struct SessionState {
 /// The capability that a client holds. It may outlive its session: then every call fails.
 class SessionServer final : public protocol::Session::Server {
 public:
-    SessionServer(ServerLoop& loop, std::uint64_t id) : loop_(loop), id_(id) {}
+    SessionServer(ServerLoop& loop, std::shared_ptr<const bool> loop_lives, std::uint64_t id) : loop_(loop), loop_lives_(std::move(loop_lives)), id_(id) {}
     ~SessionServer() noexcept(false);
     kj::Promise<void> submit(SubmitContext context) override;
     kj::Promise<void> renew(RenewContext context) override;
@@ -73,6 +73,7 @@ public:
 
 private:
     ServerLoop& loop_;
+    std::shared_ptr<const bool> loop_lives_; // the event loop drops its last capabilities after ServerLoop
     std::uint64_t id_;
 };
 
@@ -111,6 +112,7 @@ public:
         tasks_.add(queue.run());
     }
     ~ServerLoop() noexcept(false) {
+        *lives_ = false;
         while (!sessions_.empty()) {
             end_session(sessions_.begin()->first, "the server stops");
         }
@@ -149,6 +151,7 @@ private:
     void drop_connection(std::uint64_t connection);
     void taskFailed(kj::Exception&&) override {} // one client's broken connection is nobody else's concern
 
+    const std::shared_ptr<bool> lives_ = std::make_shared<bool>(true);
     kj::AsyncIoContext& io_;
     const Options& options_;
     const spear_server_callbacks& callbacks_;
@@ -252,7 +255,7 @@ void ServerLoop::connect(std::uint64_t connection, ConnectContext context) {
     }
     welcome.setSessionId(id);
     welcome.setLeaseMs(lease);
-    results.setSession(kj::heap<SessionServer>(*this, id));
+    results.setSession(kj::heap<SessionServer>(*this, lives_, id));
 }
 
 kj::Promise<void> ServerLoop::watch_lease(std::uint64_t id) {
@@ -353,7 +356,11 @@ void ServerLoop::end_session(std::uint64_t id, const char* reason) {
     callbacks_.disconnect(callbacks_.user, id, reason);
 }
 
-SessionServer::~SessionServer() noexcept(false) { loop_.end_session(id_, "the client let go of its session"); }
+SessionServer::~SessionServer() noexcept(false) {
+    if (*loop_lives_) {
+        loop_.end_session(id_, "the client let go of its session");
+    }
+}
 kj::Promise<void> SessionServer::submit(SubmitContext context) { return loop_.submit(id_, context); }
 kj::Promise<void> SessionServer::renew(RenewContext) {
     loop_.sign_of_life(id_);

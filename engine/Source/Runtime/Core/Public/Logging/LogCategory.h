@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/** Log categories. Each registers itself, so that `Log LogFoo Verbose` on the console and -LogCmds find it. */
+#pragma once
+
+#include "Logging/LogVerbosity.h"
+#include "UObject/NameTypes.h"
+
+using FLogCategoryName = FName;
+
+struct FLogCategoryBase {
+    CORE_API FLogCategoryBase(const FLogCategoryName& InCategoryName, ELogVerbosity::Type InDefaultVerbosity,
+                              ELogVerbosity::Type InCompileTimeVerbosity);
+    CORE_API ~FLogCategoryBase();
+    UE_NONCOPYABLE(FLogCategoryBase)
+
+    bool IsSuppressed(ELogVerbosity::Type VerbosityLevel) const {
+        return (VerbosityLevel & ELogVerbosity::VerbosityMask) > Verbosity;
+    }
+    const FLogCategoryName& GetCategoryName() const { return CategoryName; }
+    ELogVerbosity::Type GetVerbosity() const { return Verbosity; }
+    void SetVerbosity(ELogVerbosity::Type NewVerbosity) {
+        const int32 Wanted = NewVerbosity & ELogVerbosity::VerbosityMask;
+        Verbosity = static_cast<ELogVerbosity::Type>(Wanted < CompileTimeVerbosity ? Wanted : CompileTimeVerbosity);
+    }
+    ELogVerbosity::Type GetCompileTimeVerbosity() const { return CompileTimeVerbosity; }
+
+private:
+    ELogVerbosity::Type Verbosity;
+    const ELogVerbosity::Type CompileTimeVerbosity;
+    const FLogCategoryName CategoryName;
+};
+
+template <ELogVerbosity::Type InDefaultVerbosity, ELogVerbosity::Type InCompileTimeVerbosity>
+struct FLogCategory : public FLogCategoryBase {
+    static constexpr ELogVerbosity::Type CompileTimeVerbosity = InCompileTimeVerbosity;
+    explicit FLogCategory(const FLogCategoryName& InCategoryName)
+        : FLogCategoryBase(InCategoryName, InDefaultVerbosity, InCompileTimeVerbosity) {}
+};
+
+/** Registered log categories by name; null if there is none of that name. */
+CORE_API FLogCategoryBase* FindLogCategory(const FName& Name);
+/** Applies "LogFoo Verbose, LogBar Error" (or "global Warning"); false if a word is not understood. */
+CORE_API bool ApplyLogCommands(const FString& Commands);

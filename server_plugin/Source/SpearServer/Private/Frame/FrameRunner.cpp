@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "Frame/FrameRunner.h"
+
+#include "SpearLog.h"
+#include "SpearText.h"
+
+#include "Reflection/ClassLookup.h"
+#include "Services/EngineFacts.h"
+
+#include "HAL/ThreadHeartBeat.h"
+#include "Misc/CoreDelegates.h"
+#include "UObject/UObjectGlobals.h"
+
+#include <algorithm>
+
+namespace SpearServer {
+
+void FFrameRunner::Start(spear_server* InServer) {
+    Server = InServer;
+    BeginFrameHandle = FCoreDelegates::OnBeginFrame.AddRaw(this, &FFrameRunner::OnBeginFrame);
+    EndFrameHandle = FCoreDelegates::OnEndFrame.AddRaw(this, &FFrameRunner::OnEndFrame);
+    GarbageHandle = FCoreUObjectDelegates::GetPostGarbageCollect().AddRaw(this, &FFrameRunner::OnPostGarbageCollect);
+}
+
+void FFrameRunner::Stop() {
+    FCoreDelegates::OnBeginFrame.Remove(BeginFrameHandle);
+    FCoreDelegates::OnEndFrame.Remove(EndFrameHandle);
+    FCoreUObjectDelegates::GetPostGarbageCollect().Remove(GarbageHandle);
+    Parked.clear();
+    Sessions.clear();
+    Server = nullptr;
+}
+
+FSession* FFrameRunner::FindSession(uint64 Session) {
+    const auto At = Sessions.find(Session);
+    return At != Sessions.end() ? At->second.get() : nullptr;
+}
+
+// Frames
+// --------------------------------------------------------------------------------------------------------------------
+
+void FFrameRunner::OnBeginFrame() {
+    if (bRunning) {
+        return;
+    }
+    Inbox.NoteFrame(GFrameCounter);
+    UpdateEngineFacts();
+    InFrame.clear();
+    RunFreeBatches();
+    for (;;) {
+        // While somebody holds the engine by single_step, nobody else's transaction begins.
+        std::erase_if(Holders, [this](uint64 Session) { return !Inbox.IsAlive(Session); });
+        const std::optional<uint64> Next = Inbox.NextSessionToBegin([this](uint64 Session) {
+            return Holders.empty() ? std::find(InFrame.begin(), InFrame.end(), Session) == InFrame.end()
+                                   : std::find(Holders.begin(), Holders.end(), Session) != Holders.end();
+        });
+        if (Next) {
+            std::erase(Holders, *Next);
+            if (RunBlock(*Next, EBlock::Begin)) {
+                InFrame.push_back(*Next);
+            } else {
+                EndTransaction(*Next);
+            }
+        } else if (Holders.empty()) {
+            break;
+        } else if (!Hold(Holders.front(),
+                       "single_step: the engine waits at the beginning of a frame for the client's next "
+                       "begin_frame block")) {
+            Holders.clear();
+        }
+    }
+    Inbox.SetHolder(0, "");
+}
+
+void FFrameRunner::OnEndFrame() {
+    if (bRunning) {
+        return;
+    }
+    for (const uint64 Session : InFrame) {
+        RunBlock(Session, EBlock::End);
+        EndTransaction(Session);
+    }
+    InFrame.clear();
+    Inbox.SetHolder(0, "");
+}
+
+bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
+    for (;;) {
+        if (std::optional<FBatch> Batch = Inbox.TakeBatch(SessionId, Block)) {
+            RunAndReply(std::move(*Batch));
+            continue;
+        }
+        if (Inbox.IsBlockClosed(SessionId, Block)) {
+            return Inbox.IsAlive(SessionId);
+        }
+        const bool bGoesOn = Hold(SessionId,
+            Block == EBlock::Begin
+                ? "an open begin_frame block: the engine waits at the beginning of a frame for the block to close"
+                : "a transaction between begin_frame and the end of end_frame: the engine waits at the end of the "
+                  "frame");
+        if (!bGoesOn) {
+            return false;
+        }
+    }
+}
+
+void FFrameRunner::EndTransaction(uint64 SessionId) {
+    std::vector<FBatch> NotRun;
+    const bool bSingleStep = Inbox.FinishTransaction(SessionId, NotRun);
+    for (const FBatch& Batch : NotRun) {
+        Inbox.NoteRun(Batch);
+        ReplyError(
+            Batch, MakeError(ErrorCode::TransactionAborted, "the transaction was aborted: the engine is ending"));
+    }
+    if (bSingleStep && Inbox.IsAlive(SessionId)) {
+        Holders.push_back(SessionId);
+    }
+}
+
+bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
+    if (IsEngineExitRequested()) {
+        return false;
+    }
+    Inbox.SetHolder(SessionId, Reason);
+    Inbox.WaitForArrival();
+    FThreadHeartBeat::Get().HeartBeat();
+    RunFreeBatches();
+    return true;
+}
+
+// Batches
+// -------------------------------------------------------------------------------------------------------------------
+
+void FFrameRunner::KeepHouse() {
+    FInboxNews News = Inbox.TakeNews();
+    for (FSessionGreeting& Greeting : News.Joined) {
+        const uint64 Id = Greeting.Id;
+        Sessions[Id] = std::make_unique<FSession>(std::move(Greeting));
+    }
+    for (const uint64 Id : News.Left) {
+        Sessions.erase(Id);
+        Parked.erase(std::remove_if(Parked.begin(), Parked.end(),
+                         [Id](const FRunningBatch& One) { return One.Batch.Session == Id; }),
+            Parked.end());
+    }
+    SweepIfNeeded();
+    for (const auto& [Id, Session] : Sessions) {
+        ApplyNews(*Session);
+    }
+}
+
+void FFrameRunner::ApplyNews(FSession& Session) {
+    const FSessionNews News = Inbox.TakeSessionNews(Session.GetId());
+    if (!News.Types.empty() && !spear::decode_announcements(News.Types, Session.ClientTypes)) {
+        UE_LOG(LogSpear, Warning, TEXT("Ending the session of '%s': it announced malformed types"),
+            *FromUtf8(Session.GetClientName()));
+        spear_server_drop(
+            Server, Session.GetId(), "MalformedMessage: the announced types are malformed, out of order, or too many");
+    }
+    for (const uint64 Number : News.Releases) {
+        Session.ReleaseKept(Number);
+    }
+}
+
+void FFrameRunner::RunFreeBatches() {
+    // What has arrived is taken before announcements are applied, so that those of each batch are there when it runs.
+    std::vector<FBatch> Arrived = Inbox.TakeFreeBatches();
+    KeepHouse();
+    std::vector<FRunningBatch> ToRun = std::move(Parked);
+    Parked.clear();
+    for (FBatch& Batch : Arrived) {
+        ToRun.push_back({std::move(Batch), 0, {}});
+    }
+    for (FRunningBatch& Running : ToRun) {
+        FSession* Session = FindSession(Running.Batch.Session);
+        if (!Session) {
+            continue;
+        }
+        bRunning = true;
+        const bool bDone = RunBatch(*Session, Running);
+        bRunning = false;
+        SweepIfNeeded();
+        if (bDone) {
+            Inbox.NoteRun(Running.Batch);
+            Reply(Running.Batch, Running.Answers);
+        } else {
+            Parked.push_back(std::move(Running));
+        }
+    }
+}
+
+void FFrameRunner::RunAndReply(FBatch Batch) {
+    KeepHouse();
+    FSession* Session = FindSession(Batch.Session);
+    if (!Session) {
+        return;
+    }
+    FRunningBatch Running{std::move(Batch), 0, {}};
+    bRunning = true;
+    RunBatch(*Session, Running); // operations of a block are never parked
+    bRunning = false;
+    SweepIfNeeded();
+    Inbox.NoteRun(Running.Batch);
+    Reply(Running.Batch, Running.Answers);
+}
+
+void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
+    std::vector<std::byte> Types;
+    if (FSession* Session = FindSession(Batch.Session)) {
+        Types = Session->TypeNumbers.TakePending();
+    }
+    spear_answers Message{};
+    Message.types = {reinterpret_cast<const uint8*>(Types.data()), Types.size()};
+    Message.answers = {reinterpret_cast<const uint8*>(Answers.buffer.data()), Answers.buffer.size()};
+    Message.frame = GFrameCounter;
+    spear_server_reply(Server, Batch.Session, Batch.Request, &Message);
+}
+
+void FFrameRunner::ReplyError(const FBatch& Batch, const ErrorInfo& Error) {
+    spear_answers Message{};
+    Message.frame = GFrameCounter;
+    Message.has_error = 1;
+    Message.error_code = static_cast<uint16>(Error.code);
+    Message.error_message = Error.message.c_str();
+    spear_server_reply(Server, Batch.Session, Batch.Request, &Message);
+}
+
+void FFrameRunner::SweepIfNeeded() {
+    if (!bSweepNeeded || bRunning) {
+        return;
+    }
+    bSweepNeeded = false;
+    SweepTypePlans();
+    ForgetClassNames();
+    for (const auto& [Id, Session] : Sessions) {
+        Session->Sweep();
+    }
+}
+
+} // namespace SpearServer

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Calling reflected functions. A plan is worked out once per (class of the object, call shape): which function, which
+// argument goes where, what the omitted ones get, what the result looks like. Classes and functions are held weakly.
+
+#include "CoreMinimal.h"
+#include "UObject/Class.h"
+#include "UObject/UnrealType.h"
+#include "UObject/WeakObjectPtr.h"
+
+#include "Frame/Result.h"
+#include "Reflection/TypePlan.h"
+
+#include "spear/codec.hpp"
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace SpearServer {
+
+struct FOperation;
+class FSession;
+
+/// The memory of a function's parameters: initialised, and destroyed, as each parameter wants it.
+class FParameters {
+public:
+    explicit FParameters(UFunction* InFunction);
+    ~FParameters();
+    FParameters(const FParameters&) = delete;
+    FParameters& operator=(const FParameters&) = delete;
+    uint8* Get() const { return Memory; }
+
+private:
+    static constexpr std::size_t InlineBytes = 512;
+    FWeakObjectPtr Function; ///< plans may outlive a Blueprint's function
+    uint8* Memory;
+    alignas(16) uint8 Inline[InlineBytes];
+};
+
+struct FCallPlan {
+    struct FParameter {
+        const FProperty* Property = nullptr;
+        FTypePlanRef Plan;
+        std::string Name;
+    };
+
+    FWeakObjectPtr Class;
+    FWeakObjectPtr Function;
+    std::string OperationName;                         ///< "AActor::K2_SetActorLocation"
+    std::vector<FParameter> Arguments;                 ///< in the order in which the client sends them
+    std::unique_ptr<FParameters> Defaults;             ///< holds the values of the arguments omitted
+    std::vector<const FProperty*> Omitted;             ///< taken from Defaults
+    const FObjectPropertyBase* WorldContext = nullptr; ///< filled in by us
+    const FStructProperty* LatentInfo = nullptr;       ///< filled in by us
+    std::vector<FParameter> Results;                   ///< the return value, if any, first; then out-parameters
+    bool bHasReturnValue = false;
+    bool bOnDefaultObject = false; ///< the target is a class, the function a static one of its instances
+    spear::TypeInfo ResultType;    ///< of several results; announced at the first use
+    spear::TypeId ResultNumber = 0;
+};
+
+/// The plans of one session.
+class FCallPlans {
+public:
+    /// Calls the function that the shape names on the object; writes the result to Operation.Out.
+    FStatus Call(FOperation& Operation, UObject* Target, spear::TypeId Shape, std::span<const std::byte> Arguments);
+    void Sweep();
+
+private:
+    struct FKey {
+        const UClass* Class;
+        spear::TypeId Shape;
+        bool operator==(const FKey&) const = default;
+    };
+    struct FKeyHash {
+        std::size_t operator()(const FKey& Key) const {
+            return reinterpret_cast<std::size_t>(Key.Class) / 64 * 31 + Key.Shape;
+        }
+    };
+    TSpearResult<std::shared_ptr<FCallPlan>> Find(FOperation& Operation, UObject* Target, spear::TypeId Shape);
+
+    std::unordered_map<FKey, std::shared_ptr<FCallPlan>, FKeyHash> Plans;
+};
+
+/// Writes what the function left in its parameters: the return value alone, a struct of it and the out-parameters, or
+/// null.
+FStatus WriteResults(FSession& Session, FCallPlan& Plan, const uint8* Parameters, spear::Encoder& Out);
+
+} // namespace SpearServer

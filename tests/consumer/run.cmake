@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# cmake -DBUILD=<build tree> -DSOURCE=<this folder> -DWORK=<scratch folder> -DCXX=<compiler> -P run.cmake
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        list(JOIN ARGN " " text)
+        message(FATAL_ERROR "${text}\nfailed (${result}):\n${output}")
+    endif()
+    message(STATUS "${output}")
+endfunction()
+file(REMOVE_RECURSE "${WORK}")
+run(${CMAKE_COMMAND} --install "${BUILD}/sdk" --prefix "${WORK}/prefix")
+run(${CMAKE_COMMAND} -S "${SOURCE}" -B "${WORK}/build" -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_FLAGS=-Wall\ -Wextra\ -Werror)
+run(${CMAKE_COMMAND} --build "${WORK}/build")
+run("${WORK}/build/consumer")

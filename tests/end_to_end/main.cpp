@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// end_to_end_tests [doctest options]; or, as a child of a test, `end_to_end_tests --child WHAT ADDRESS`: a client that
+// dies or hangs.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include "engine_fixture.hpp"
+
+#include <memory>
+#include <string_view>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace end_to_end {
+namespace {
+
+std::unique_ptr<spear::Instance>& shared() {
+    static std::unique_ptr<spear::Instance> instance;
+    return instance;
+}
+
+/// Holds the engine's game thread, says so by writing a byte to standard output, then dies or hangs as asked.
+int be_child(std::string_view what, const char* address) {
+    spear::Instance instance = spear::connect(address, {.client_name = "the child", .lease = 500ms});
+    auto frame = instance.begin_frame();
+    instance.call(
+        spear::unreal_service::find_actors_by_class, nullptr, "AActor", ""); // synchronous: holds the game thread
+    if (what == "between") {
+        frame.execute();
+        instance.flush();
+    }
+    [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, "!", 1);
+    if (what == "hang") {
+        ::raise(SIGSTOP);
+    }
+    ::_exit(0); // no destructor runs: as after a crash
+}
+
+} // namespace
+
+spear::LaunchOptions launch_options() {
+    return {.fps = 200,
+        .fixed_dt = fixed_dt,
+        .seed = 1,
+        .executable = SPEAR_TEST_ENGINE,
+        .arguments = {"--plugin-dir", SPEAR_TEST_PLUGINS},
+        .connect_timeout = 60s,
+        .deadline = 10s};
+}
+
+spear::Instance& engine() {
+    if (!shared())
+        shared() = std::make_unique<spear::Instance>(spear::launch(launch_options()));
+    return *shared();
+}
+
+void close_engine() { shared().reset(); }
+
+int start_child(const std::string& what) {
+    int ends[2];
+    REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    std::string program("/proc/self/exe"), option("--child"), argument(what), address(engine().process()->address());
+    char* argv[] = {program.data(), option.data(), argument.data(), address.data(), nullptr};
+    pid_t process_id = 0;
+    REQUIRE(::posix_spawn(&process_id, "/proc/self/exe", &actions, nullptr, argv, environ) == 0);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    char ready = 0;
+    CHECK(::read(ends[0], &ready, 1) == 1);
+    ::close(ends[0]);
+    return process_id;
+}
+
+void wait_for_child(int process_id) {
+    int status = 0;
+    ::waitpid(process_id, &status, 0);
+}
+
+} // namespace end_to_end
+
+int main(int argc, char** argv) {
+    if (argc == 4 && std::string_view(argv[1]) == "--child") {
+        return end_to_end::be_child(argv[2], argv[3]);
+    }
+    doctest::Context context(argc, argv);
+    const int result = context.run();
+    end_to_end::close_engine();
+    return result;
+}
