@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What was skipped, assumed or wrong. A silent skip is a bug: whoever drops or doubts a declaration says so here.
 //
-// Rules (stable words): unreadable, not-text, no-generated-include, ast-diagnostic, ast-missing, type-differs,
-// unsupported-type, unresolved-type, assumed-type, inactive-region, orphan-macro, unparsed-declaration, missing-body,
-// unknown-specifier, default-argument, deprecated-specifier, property-semicolon, enum-value, duplicate-name,
-// unresolved-super, macro-blanked, module-name, and the strict ones: nested-container, overloaded-function,
-// namespaced-type, unsupported-blueprint-type, arbitrary-condition, generated-include-last, missing-generated-body,
-// unnamed-parameter, template-type, category-missing, private-blueprint-property, enum-underlying, raw-enum-member,
-// nested-type, static-property, const-property, interface-property, delegate-parameter-count, function-name,
-// config-without-class-config, missing-rep-notify, missing-accessor, prefix, raw-reference-member.
+// Rules (stable words): arbitrary-condition, assumed-type, ast-diagnostic, ast-missing, config-without-class-config,
+// const-property, default-argument, delegate-parameter-count, duplicate-name, enum-underlying, enum-value,
+// function-name, generated-include-last, inactive-region, interface-property, macro-blanked, missing-accessor,
+// missing-body, missing-generated-body, missing-rep-notify, namespaced-type, nested-container, nested-type,
+// no-generated-include, not-text, orphan-macro, overloaded-function, prefix, private-blueprint-property,
+// property-semicolon, raw-enum-member, static-property, template-type, type-differs, unknown-specifier,
+// unnamed-parameter, unparsed-declaration, unreadable, unresolved-super, unresolved-type, unsupported-blueprint-type,
+// unsupported-type.
 #pragma once
 
 #include <cstddef>

@@ -17,8 +17,18 @@ public:
 
     void run() {
         scope(0, end_index(tokens_), "");
-        for (const Delegate& d : header_.delegates)
-            header_.type_names.push_back(d.name);
+        std::vector<std::pair<std::size_t, std::string>> names; // in the order of the text
+        auto collect = [&](const auto& declarations) {
+            for (const auto& d : declarations)
+                names.emplace_back(d.macro_offset, d.name);
+        };
+        collect(header_.classes);
+        collect(header_.structs);
+        collect(header_.enums);
+        collect(header_.delegates);
+        std::sort(names.begin(), names.end());
+        for (auto& [offset, name] : names)
+            header_.type_names.push_back(std::move(name));
     }
 
 private:
@@ -212,7 +222,6 @@ private:
             return close + 1;
         }
         body_.body(c, at, close, c.name, false);
-        header_.type_names.push_back(c.name);
         header_.defined_names.push_back(c.name);
         header_.classes.push_back(std::move(c));
         return close + 1;
@@ -238,7 +247,6 @@ private:
             return close + 1;
         }
         body_.body(s, at, close, "", true);
-        header_.type_names.push_back(s.name);
         header_.defined_names.push_back(s.name);
         header_.structs.push_back(std::move(s));
         return close + 1;
@@ -342,7 +350,6 @@ private:
         }
         std::size_t enum_close = matching(tokens_, at);
         entries(e, at + 1, enum_close);
-        header_.type_names.push_back(e.name);
         header_.defined_names.push_back(e.name);
         header_.enums.push_back(std::move(e));
         return outer_close != 0

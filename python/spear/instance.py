@@ -153,11 +153,23 @@ def launch(
     Raises LaunchFailed, EngineExited (with the last lines of the log), EngineNotRunning.
     """
     return Instance(_native.launch(
-        scene=scene, executable=os.fspath(executable), arguments=list(arguments), fps=-1.0 if fps is None else float(fps),
+        scene=scene, executable=os.fspath(executable) or _default_engine(), arguments=list(arguments), fps=-1.0 if fps is None else float(fps),
         fixed_dt=0.0 if fixed_dt is None else float(fixed_dt), address=address, paused=paused, log_file=os.fspath(log_file),
         lease_ms=_lease_ms(lease), deadline_ms=0 if deadline is None else max(1, round(deadline * 1000)),
         timeout_ms=max(1, round(timeout * 1000)),
     ))
+
+
+def _default_engine() -> str:
+    """The embedded engine of the build tree that this package runs from; empty lets the native half look for it."""
+    from spear.programs import find_program
+
+    if "SPEAR_ENGINE" in os.environ:
+        return ""
+    try:
+        return str(find_program("spear-engine"))
+    except FileNotFoundError:
+        return ""
 
 
 def _lease_ms(lease: float | str | None) -> int:

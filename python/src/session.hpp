@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
 
 #include "spear/spear.hpp"
 

@@ -21,6 +21,7 @@ import tempfile
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 IGNORED_FOLDERS = {"Intermediate", "ThirdParty", "Binaries", "Saved", "DerivedDataCache", "node_modules"}
 MACRO = re.compile(r"\b(UCLASS|USTRUCT|UENUM|UINTERFACE|UFUNCTION|UPROPERTY|DECLARE_DYNAMIC_\w*DELEGATE\w*)\s*\(")
@@ -143,10 +144,10 @@ def read_calls(text: str) -> list[Call]:
             bit_field = re.search(r"(?<!:):(?!:)", declared)
             head = re.split(r"(?<!:):(?!:)|[;={(\[]", declared, maxsplit=1)[0]
             first = split_top(head)[0] if split_top(head) else head
-            name = re.search(r"(\w+)\s*$", first)
-            if name:
-                call.name = name.group(1)
-                call.types = ["bool" if bit_field else normalise(first[: name.start()])]
+            declarator = re.search(r"(\w+)\s*$", first)
+            if declarator:
+                call.name = declarator.group(1)
+                call.types = ["bool" if bit_field else normalise(first[: declarator.start()])]
         elif call.kind == "function":
             at = skip_leading(plain, end)
             head = re.match(r"(?:UPARAM\s*\((?:[^()]|\([^()]*\))*\)|[^();{}])*?\b(?!UPARAM\b)(\w+)\s*\(", plain[at:], re.S)
@@ -160,15 +161,15 @@ def read_calls(text: str) -> list[Call]:
     return calls
 
 
-def declared_entities(schema: dict) -> dict[str, list[Call]]:
+def declared_entities(schema: dict[str, Any]) -> dict[str, list[Call]]:
     """By header path (module folder + relative path): what the schema declares."""
     roots = {m["name"]: Path(m["source"]["path"]) for m in schema["modules"]}
     out: dict[str, list[Call]] = {}
 
-    def add(entity: dict, header: str, call: Call) -> None:
+    def add(entity: dict[str, Any], header: str, call: Call) -> None:
         out.setdefault(str((roots[entity["module"]] / header).resolve()), []).append(call)
 
-    def signature(f: dict) -> list[str]:
+    def signature(f: dict[str, Any]) -> list[str]:
         returns = normalise(f["returns"]["type"]["cpp"]) if f["returns"] else "void"
         return [returns] + [normalise(p["type"]["cpp"]) for p in f["parameters"]]
 

@@ -74,6 +74,7 @@ TEST_CASE_FIXTURE(EngineFixture, "lights: units, colours and brightness") {
 }
 
 TEST_CASE_FIXTURE(EngineFixture, "camera: its view is where it is") {
+    BeginPlay(); // components activate then
     ACameraActor* camera = World->SpawnActor<ACameraActor>(FVector(1, 2, 3), FRotator(10, 20, 0));
     REQUIRE(camera->GetCameraComponent());
     camera->GetCameraComponent()->SetFieldOfView(60.0f);

@@ -148,6 +148,7 @@ TEST_CASE_FIXTURE(Scene, "scene component: attachment rules") {
         CHECK(root->GetAttachParent() == nullptr);
     }
     SUBCASE("static things are not attached to movable ones") {
+        BeginPlay();
         other->SetMobility(EComponentMobility::Static);
         CHECK_FALSE(other->AttachToComponent(root, FAttachmentTransformRules::KeepWorldTransform));
     }

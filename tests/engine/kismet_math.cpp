@@ -162,6 +162,16 @@ TEST_CASE("math library: transforms") {
     CHECK(near(end.Rotator(), FRotator(0, 90, 0)));
 }
 
+TEST_CASE("math library: boxes") {
+    const FBox box = Math::MakeBoxWithOrigin(FVector(10, 0, 0), FVector(1, 2, 3));
+    CHECK(box == Math::MakeBox(FVector(9, -2, -3), FVector(11, 2, 3)));
+    CHECK(Math::Box_IsPointInside(box, FVector(10, 0, 0)));
+    CHECK_FALSE(Math::Box_IsPointInside(box, FVector(11, 0, 0)));
+    CHECK(Math::IsPointInBox_Box(FVector(11, 0, 0), box));
+    CHECK(Math::Box_Intersects(box, Math::MakeBox(FVector(11, 2, 3), FVector(20, 20, 20))));
+    CHECK_FALSE(Math::Box_Intersects(box, Math::MakeBox(FVector(12, 2, 3), FVector(20, 20, 20))));
+}
+
 TEST_CASE("math library: colours, dates, streams") {
     CHECK(near(Math::HSVToRGB(120.0f, 1.0f, 1.0f).G, 1.0));
     float h = 0, s = 0, v = 0, a = 0;
@@ -196,4 +206,36 @@ TEST_CASE("math library: colours, dates, streams") {
     CHECK(Math::RandomInteger(0) == 0);
     CHECK(Math::ClassIsChildOf(AActor::StaticClass(), UObject::StaticClass()));
     CHECK(Math::EqualEqual_NameName(FName(TEXT("Chair")), FName(TEXT("chair"))));
+}
+
+TEST_CASE("math library: through reflection, with the names and metadata of Epic's pages") {
+    UFunction* add = Math::StaticClass()->FindFunctionByName(FName(TEXT("add_vectorvector"))); // without case
+    REQUIRE(add);
+    CHECK(add->HasAllFunctionFlags(FUNC_Static | FUNC_BlueprintPure | FUNC_Native));
+    CHECK(add->GetMetaData(TEXT("CompactNodeTitle")) == TEXT("+"));
+    CHECK(Math::StaticClass()->GetMetaData(TEXT("ScriptName")) == TEXT("MathLibrary"));
+    struct {
+        FVector A = FVector(1, 2, 3);
+        FVector B = FVector(10, 20, 30);
+        FVector ReturnValue = FVector(0, 0, 0);
+    } parameters;
+    REQUIRE(add->ParmsSize == sizeof(parameters));
+    GetMutableDefault<UKismetMathLibrary>()->ProcessEvent(add, &parameters);
+    CHECK(parameters.ReturnValue == FVector(11, 22, 33));
+
+    // An out-parameter by reference, and a default that metadata tells.
+    UFunction* divide = Math::StaticClass()->FindFunctionByName(FName(TEXT("FMod")));
+    REQUIRE(divide);
+    struct {
+        double Dividend = 7.5;
+        double Divisor = 2.0;
+        double Remainder = 0.0;
+        int32 ReturnValue = 0;
+    } division;
+    GetMutableDefault<UKismetMathLibrary>()->ProcessEvent(divide, &division);
+    CHECK(division.ReturnValue == 3);
+    CHECK(division.Remainder == 1.5);
+    UFunction* plus_one = Math::StaticClass()->FindFunctionByName(FName(TEXT("Add_IntInt")));
+    REQUIRE(plus_one);
+    CHECK(plus_one->GetMetaData(TEXT("CPP_Default_B")) == TEXT("1"));
 }

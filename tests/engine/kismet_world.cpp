@@ -196,8 +196,9 @@ TEST_CASE_FIXTURE(EngineFixture, "system library: timers by function name") {
     CHECK(System::K2_IsTimerActive(root, TEXT("ResetRelativeTransform")));
     Tick(0.0625f);
     CHECK(root->GetComponentLocation().Equals(FVector(1, 1, 1)));
-    CHECK(System::K2_GetTimerRemainingTimeHandle(World, handle) < 0.1f);
+    CHECK(System::K2_GetTimerRemainingTimeHandle(World, handle) == doctest::Approx(0.1f)); // counts from the next tick
     Tick(0.0625f);
+    CHECK(System::K2_GetTimerRemainingTimeHandle(World, handle) == doctest::Approx(0.0375f));
     Tick(0.0625f);
     CHECK(root->GetComponentLocation().Equals(FVector(0, 0, 0)));
     CHECK_FALSE(System::K2_TimerExists(root, TEXT("ResetRelativeTransform")));
@@ -208,4 +209,45 @@ TEST_CASE_FIXTURE(EngineFixture, "system library: timers by function name") {
     handle = System::K2_SetTimer(root, TEXT("ResetRelativeTransform"), 0.1f, true);
     System::K2_ClearAndInvalidateTimerHandle(World, handle);
     CHECK_FALSE(System::K2_TimerExists(root, TEXT("ResetRelativeTransform")));
+}
+
+TEST_CASE_FIXTURE(EngineFixture, "gameplay statics: pausing and players") {
+    BeginPlay();
+    CHECK(Statics::GetNumPlayerControllers(World) == 1);
+    CHECK(Statics::GetPlayerController(World, 0) == Player());
+    CHECK(Statics::GetPlayerController(World, 1) == nullptr);
+    CHECK(Statics::GetPlayerController(World, -1) == nullptr);
+    CHECK(Statics::GetPlayerPawn(World, 0) == Player()->GetPawn());
+    CHECK(Statics::GetGameMode(World) == World->GetAuthGameMode());
+    CHECK(Statics::GetGameState(World) == World->GetGameState());
+    CHECK(Statics::GetGameInstance(World) == World->GetGameInstance());
+    CHECK(Statics::GetObjectClass(World) == UWorld::StaticClass());
+
+    Tick(0.1f);
+    CHECK(Statics::SetGamePaused(World, true));
+    CHECK(Statics::IsGamePaused(World));
+    const double time = Statics::GetTimeSeconds(World);
+    const double unpaused = Statics::GetUnpausedTimeSeconds(World);
+    Tick(0.1f);
+    CHECK(Statics::GetTimeSeconds(World) == time);
+    CHECK(Statics::GetUnpausedTimeSeconds(World) > unpaused);
+    CHECK(Statics::SetGamePaused(World, false));
+    CHECK_FALSE(Statics::IsGamePaused(World));
+    Tick(0.1f);
+    CHECK(Statics::GetTimeSeconds(World) > time);
+}
+
+TEST_CASE_FIXTURE(EngineFixture, "system library: printing goes to the list on the screen until its time is over") {
+    GEngine->ClearOnScreenDebugMessages();
+    System::PrintString(World, TEXT("one"), true, true, FLinearColor(1.0f, 0.0f, 0.0f), 0.25f);
+    System::PrintString(nullptr, TEXT("two"), true, false, FLinearColor(1.0f, 1.0f, 1.0f), 9.0f, FName(TEXT("Key")));
+    System::PrintString(World, TEXT("three"), true, false, FLinearColor(1.0f, 1.0f, 1.0f), 9.0f, FName(TEXT("Key")));
+    System::PrintString(World, TEXT("only in the log"), false);
+    REQUIRE(GEngine->GetOnScreenDebugMessages().Num() == 2); // the third took the place of the second
+    CHECK(GEngine->GetOnScreenDebugMessages()[0].ScreenMessage == TEXT("one"));
+    CHECK(GEngine->GetOnScreenDebugMessages()[0].DisplayColor == FColor(255, 0, 0, 255));
+    CHECK(GEngine->GetOnScreenDebugMessages()[1].ScreenMessage == TEXT("three"));
+    Tick(0.3f);
+    CHECK(GEngine->GetOnScreenDebugMessages().Num() == 1);
+    GEngine->ClearOnScreenDebugMessages();
 }

@@ -20,9 +20,18 @@ from gltf_writer import write  # noqa: E402
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(prog="make_apartment", description="Make the furnished apartment scene (glTF 2.0 and sidecar).")
-    parser.add_argument("--output", type=Path, required=True, help="content folder; files go to Scenes/apartment below it")
-    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes that make textures (default: all processors)")
+    parser = argparse.ArgumentParser(
+        prog="make_apartment", description="Make the furnished apartment scene (glTF 2.0 and sidecar)."
+    )
+    parser.add_argument(
+        "--output", type=Path, required=True, help="content folder; files go to Scenes/apartment below it"
+    )
+    parser.add_argument(
+        "--workers",
+        type=int,
+        default=os.cpu_count() or 1,
+        help="processes that make textures (default: all processors)",
+    )
     parser.add_argument("--quiet", action="store_true", help="print nothing on success")
     arguments = parser.parse_args()
     scene = apartment()

@@ -34,7 +34,14 @@ def apartment() -> Scene:
     scene.room = ""
     scene.light("directional", (0.0, 12.0, 0.0), SUN_LUX, (1.0, 0.93, 0.82), direction=SUN_DIRECTION)
     scene.actor("SkyAtmosphere_1", "ASkyAtmosphere", (0.0, 0.0, 0.0), tags=["sky", "outside"], folder="Lights")
-    scene.actor("SkyLight_1", "ASkyLight", (0.0, 0.0, 1000.0), tags=["light", "sky", "outside"], folder="Lights", properties={"LightComponent.Intensity": 1.0})
+    scene.actor(
+        "SkyLight_1",
+        "ASkyLight",
+        (0.0, 0.0, 1000.0),
+        tags=["light", "sky", "outside"],
+        folder="Lights",
+        properties={"LightComponent.Intensity": 1.0},
+    )
     # The middle of the living room is free in front of the sofa; the player looks at the library.
     scene.actor("PlayerStart_1", "APlayerStart", (180.0, 200.0, 92.0), (0.0, 160.0, 0.0), tags=["start"])
     return scene

@@ -75,7 +75,15 @@ class Hole:
 
 # Walls along X: z of the middle, thickness, from, to, paint on the north side, paint on the south side, holes.
 WALLS_X: list[tuple[float, float, float, float, str, str, list[Hole]]] = [
-    (5.45, OUTER, -3.70, 3.06, "paint_living", "facade", [Hole(-2.4, -0.2, 0.0, 2.28, "terrace"), Hole(0.9, 2.5, 0.80, 2.25, "window")]),
+    (
+        5.45,
+        OUTER,
+        -3.70,
+        3.06,
+        "paint_living",
+        "facade",
+        [Hole(-2.4, -0.2, 0.0, 2.28, "terrace"), Hole(0.9, 2.5, 0.80, 2.25, "window")],
+    ),
     (5.45, OUTER, 3.06, 7.30, "paint_kitchen", "facade", [Hole(3.9, 5.6, 0.80, 2.25, "window")]),
     (-5.15, OUTER, -3.70, 0.86, "facade", "paint_bedroom", [Hole(-2.3, -0.3, 0.80, 2.25, "window")]),
     (-5.15, OUTER, 0.86, 3.46, "facade", "metro_tiles", [Hole(1.55, 2.45, 1.35, 2.25, "window", columns=1)]),
@@ -105,27 +113,67 @@ def build(scene: Scene) -> None:
     for z, thickness, x0, x1, north, south, holes in WALLS_X:
         openings = [Opening(h.a - x0, h.b - x0, h.bottom, h.top) for h in holes]
         scene.room = ""
-        scene.add("Wall", wall(x1 - x0, thickness, openings, south, north, x0), (x0, 0.0, z), tags=("structure",), group="Structure")
+        scene.add(
+            "Wall",
+            wall(x1 - x0, thickness, openings, south, north, x0),
+            (x0, 0.0, z),
+            tags=("structure",),
+            group="Structure",
+        )
         for hole in holes:
             _fill(scene, hole, thickness, ((hole.a + hole.b) / 2, z), 0.0)
     for x, thickness, z0, z1, west, east, holes in WALLS_Z:
         # Local +X of the wall runs towards -Z, so that its front (+Z) looks to the west... turned by +90 degrees it looks to the east.
         openings = [Opening(z1 - h.b, z1 - h.a, h.bottom, h.top) for h in holes]
         scene.room = ""
-        scene.add("Wall", wall(z1 - z0, thickness, openings, east, west, -z1), (x, 0.0, z1), 90.0, tags=("structure",), group="Structure")
+        scene.add(
+            "Wall",
+            wall(z1 - z0, thickness, openings, east, west, -z1),
+            (x, 0.0, z1),
+            90.0,
+            tags=("structure",),
+            group="Structure",
+        )
         for hole in holes:
             _fill(scene, hole, thickness, (x, (hole.a + hole.b) / 2), 90.0)
     for room in ROOMS.values():
         scene.room = room.name
         # A floor reaches to the middle of the inner walls, so that doorways have no gap.
-        scene.add("Floor", floor(room.floor, room.x0 - 0.06, room.x1 + 0.06, room.z0 - 0.06, room.z1 + 0.06), tags=("structure", "room"), group="Structure")
-        scene.add("Ceiling", ceiling("paint_ceiling", room.x0 - 0.06, room.x1 + 0.06, room.z0 - 0.06, room.z1 + 0.06), tags=("structure",), group="Structure")
+        scene.add(
+            "Floor",
+            floor(room.floor, room.x0 - 0.06, room.x1 + 0.06, room.z0 - 0.06, room.z1 + 0.06),
+            tags=("structure", "room"),
+            group="Structure",
+        )
+        scene.add(
+            "Ceiling",
+            ceiling("paint_ceiling", room.x0 - 0.06, room.x1 + 0.06, room.z0 - 0.06, room.z1 + 0.06),
+            tags=("structure",),
+            group="Structure",
+        )
         if room.name != "Bathroom":
-            scene.add("Skirting", trim(room.x0, room.x1, room.z0, room.z1, _gaps(room)), tags=("structure", "trim"), group="Structure")
-            scene.add("Coving", trim(room.x0, room.x1, room.z0, room.z1, {}, COVING), tags=("structure", "trim"), group="Structure")
+            scene.add(
+                "Skirting",
+                trim(room.x0, room.x1, room.z0, room.z1, _gaps(room)),
+                tags=("structure", "trim"),
+                group="Structure",
+            )
+            scene.add(
+                "Coving",
+                trim(room.x0, room.x1, room.z0, room.z1, {}, COVING),
+                tags=("structure", "trim"),
+                group="Structure",
+            )
     scene.room = ""
-    scene.add("Foundation", slab("stone", -3.70, 7.30, -5.30, 5.60, -0.30, -0.021), tags=("structure",), group="Structure")
-    scene.add("Roof", slab("roof", -3.95, 7.55, -5.55, 5.85, CEILING + 0.021, CEILING + 0.32), tags=("structure",), group="Structure")
+    scene.add(
+        "Foundation", slab("stone", -3.70, 7.30, -5.30, 5.60, -0.30, -0.021), tags=("structure",), group="Structure"
+    )
+    scene.add(
+        "Roof",
+        slab("roof", -3.95, 7.55, -5.55, 5.85, CEILING + 0.021, CEILING + 0.32),
+        tags=("structure",),
+        group="Structure",
+    )
 
 
 def _gaps(room: Room) -> dict[str, list[tuple[float, float]]]:
@@ -155,30 +203,79 @@ def _fill(scene: Scene, hole: Hole, thickness: float, centre: tuple[float, float
         scene.add("DoorFrame", casing(width, hole.top, thickness), (x, 0.0, z), yaw, ("structure", "trim"), "Structure")
     if hole.kind == "door":
         leaf = width - 0.056
-        scene.add("Door", door_leaf(leaf, hole.top - 0.026), (hole.a + 0.028, 0.0, z), hole.open_degrees, ("structure", "openable"), "Structure", True)
+        scene.add(
+            "Door",
+            door_leaf(leaf, hole.top - 0.026),
+            (hole.a + 0.028, 0.0, z),
+            hole.open_degrees,
+            ("structure", "openable"),
+            "Structure",
+            True,
+        )
     elif hole.kind == "entrance":
         leaf = width - 0.056
-        scene.add("Door", door_leaf(leaf, hole.top - 0.026, "painted_navy", "chrome"), (x - 0.06, 0.0, hole.b - 0.028), 90.0, ("structure", "openable", "entrance"), "Structure", True)
+        scene.add(
+            "Door",
+            door_leaf(leaf, hole.top - 0.026, "painted_navy", "chrome"),
+            (x - 0.06, 0.0, hole.b - 0.028),
+            90.0,
+            ("structure", "openable", "entrance"),
+            "Structure",
+            True,
+        )
     elif hole.kind == "window":
         inward = 180.0 if (along_x and z > 0) else 0.0 if along_x else -90.0
-        scene.add("Window", window(width, hole.top - hole.bottom, hole.columns, "frosted_glass" if hole.columns == 1 else "glass"), (x, hole.bottom, z), inward, ("structure", "glass"), "Structure")
+        scene.add(
+            "Window",
+            window(width, hole.top - hole.bottom, hole.columns, "frosted_glass" if hole.columns == 1 else "glass"),
+            (x, hole.bottom, z),
+            inward,
+            ("structure", "glass"),
+            "Structure",
+        )
         if hole.columns > 1 and hole.bottom < 1.0:
             d = OUTER / 2 + 0.002
             dx, dz = (0.0, -d if z > 0 else d) if along_x else (-d, 0.0)
-            scene.add("Radiator", radiator(min(width - 0.2, 1.5), hole.bottom - 0.26), (x + dx, 0.0, z + dz), inward, ("fixture",), "Fixtures")
+            scene.add(
+                "Radiator",
+                radiator(min(width - 0.2, 1.5), hole.bottom - 0.26),
+                (x + dx, 0.0, z + dz),
+                inward,
+                ("fixture",),
+                "Fixtures",
+            )
     elif hole.kind == "terrace":
-        scene.add("TerraceDoor", sliding_window(width, hole.top), (x, 0.0, z), 180.0, ("structure", "glass", "door"), "Structure")
+        scene.add(
+            "TerraceDoor",
+            sliding_window(width, hole.top),
+            (x, 0.0, z),
+            180.0,
+            ("structure", "glass", "door"),
+            "Structure",
+        )
 
 
 def _tree(seed: int, height: float) -> Mesh:
     """A small deciduous tree: trunk, branches, and a crown of leaf clusters."""
     random = np.random.default_rng(seed)
-    mesh = tube("bark", [(0, -0.2, 0), (0.05, height * 0.25, 0.02), (0.0, height * 0.55, 0.05), (0.06, height * 0.85, 0.0)], [0.15, 0.12, 0.08, 0.03], 10)
+    mesh = tube(
+        "bark",
+        [(0, -0.2, 0), (0.05, height * 0.25, 0.02), (0.0, height * 0.55, 0.05), (0.06, height * 0.85, 0.0)],
+        [0.15, 0.12, 0.08, 0.03],
+        10,
+    )
     for k in range(9):
         a, y = k * 2.4, height * (0.38 + 0.055 * k)
         reach = height * 0.26 * (1.1 - 0.06 * k)
         tip = np.array([reach * math.cos(a), y + height * 0.12, reach * math.sin(a)])
-        mesh.add(tube("bark", [(0.02, y - 0.1, 0.03), tuple(tip * np.array([0.5, 1, 0.5]) - np.array([0, 0.1, 0])), tuple(tip)], [0.045, 0.03, 0.012], 6))
+        mesh.add(
+            tube(
+                "bark",
+                [(0.02, y - 0.1, 0.03), tuple(tip * np.array([0.5, 1, 0.5]) - np.array([0, 0.1, 0])), tuple(tip)],
+                [0.045, 0.03, 0.012],
+                6,
+            )
+        )
     crown = np.array([0.0, height * 0.72, 0.0])
     positions = []
     for _ in range(240):
@@ -188,42 +285,87 @@ def _tree(seed: int, height: float) -> Mesh:
     for k, p in enumerate(positions):
         for _ in range(2):
             one = shapes[k % 3].copy()
-            mesh.add(one.rotate("z", float(random.uniform(-60, 40))).rotate("y", float(random.uniform(0, 360))).move(*(p + random.normal(size=3) * 0.10)))
+            mesh.add(
+                one.rotate("z", float(random.uniform(-60, 40)))
+                .rotate("y", float(random.uniform(0, 360)))
+                .move(*(p + random.normal(size=3) * 0.10))
+            )
     return mesh
 
 
 def _hedge(length: float, seed: int) -> Mesh:
     mesh = box("leaf_dark", (length, 1.35, 0.7), 0.15, 2, flat=14).move(0, 0.62, 0)
     mesh.map_uv(lambda uv: uv * 1.8)
-    return mesh.displace(lambda p, n: p + n * (0.09 * waves(p, 6.0, seed, 4) + 0.05 * waves(p, 23.0, seed + 1, 2))[:, None])
+    return mesh.displace(
+        lambda p, n: p + n * (0.09 * waves(p, 6.0, seed, 4) + 0.05 * waves(p, 23.0, seed + 1, 2))[:, None]
+    )
 
 
 def outside(scene: Scene) -> None:
     """The garden that the windows show."""
     scene.room = ""
-    scene.add("Lawn", slab("grass", -42.0, 46.0, -42.0, 46.0, -0.40, -0.18), tags=("outside", "ground"), group="Outside")
+    scene.add(
+        "Lawn", slab("grass", -42.0, 46.0, -42.0, 46.0, -0.40, -0.18), tags=("outside", "ground"), group="Outside"
+    )
     deck = Mesh()
     for k in range(24):
         deck.add(box("deck", (6.7, 0.03, 0.118), 0.004).move(-0.35, -0.05, 5.72 + 0.122 * k))
-    scene.add("Deck", deck.add(slab("stone", -3.65, 2.95, 5.62, 8.55, -0.25, -0.07)), tags=("outside",), group="Outside")
+    scene.add(
+        "Deck", deck.add(slab("stone", -3.65, 2.95, 5.62, 8.55, -0.25, -0.07)), tags=("outside",), group="Outside"
+    )
     step = slab("stone", 7.3, 8.6, -0.75, 0.85, -0.2, -0.02)
     scene.add("DoorStep", step, tags=("outside",), group="Outside")
     hedge = scene.shared("Hedge", _hedge(9.0, 5))
-    for x, z, yaw in ((-9.0, 12.5, 0.0), (0.2, 12.7, 180.0), (9.3, 12.4, 0.0), (13.6, 7.6, 90.0), (13.7, -1.5, 90.0), (13.6, -10.6, -90.0), (-9.0, -12.4, 0.0), (0.2, -12.6, 180.0), (9.3, -12.5, 0.0)):
+    for x, z, yaw in (
+        (-9.0, 12.5, 0.0),
+        (0.2, 12.7, 180.0),
+        (9.3, 12.4, 0.0),
+        (13.6, 7.6, 90.0),
+        (13.7, -1.5, 90.0),
+        (13.6, -10.6, -90.0),
+        (-9.0, -12.4, 0.0),
+        (0.2, -12.6, 180.0),
+        (9.3, -12.5, 0.0),
+    ):
         scene.add("Hedge", hedge, (x, -0.18, z), yaw, ("outside", "plant"), "Outside")
     trees = [scene.shared("TreeA", _tree(11, 4.2)), scene.shared("TreeB", _tree(23, 5.2))]
-    places = ((-6.5, 9.6), (3.4, 10.4), (7.6, 9.0), (11.2, 3.0), (10.8, -4.4), (6.0, -9.6), (-1.6, -9.2), (-7.6, -8.4), (0.4, 16.5), (-4.5, 17.5))
+    places = (
+        (-6.5, 9.6),
+        (3.4, 10.4),
+        (7.6, 9.0),
+        (11.2, 3.0),
+        (10.8, -4.4),
+        (6.0, -9.6),
+        (-1.6, -9.2),
+        (-7.6, -8.4),
+        (0.4, 16.5),
+        (-4.5, 17.5),
+    )
     for k, (x, z) in enumerate(places):
-        scene.add("Tree", trees[k % 2], (x, -0.18, z), 57.0 * k, ("outside", "plant"), "Outside", scale=1.0 + 0.08 * (k % 3))
+        scene.add(
+            "Tree", trees[k % 2], (x, -0.18, z), 57.0 * k, ("outside", "plant"), "Outside", scale=1.0 + 0.08 * (k % 3)
+        )
     stones = Mesh()
     for k in range(6):
-        stones.add(box("stone", (0.62, 0.06, 0.45), 0.03, 2).rotate("y", 8 * math.sin(k * 2.1)).move(9.0 + 0.75 * k, -0.17, 0.1 * math.sin(k)))
+        stones.add(
+            box("stone", (0.62, 0.06, 0.45), 0.03, 2)
+            .rotate("y", 8 * math.sin(k * 2.1))
+            .move(9.0 + 0.75 * k, -0.17, 0.1 * math.sin(k))
+        )
     scene.add("Path", stones, tags=("outside",), group="Outside")
-    planter = union(box("terracotta", (0.9, 0.36, 0.36), 0.02, 2).move(0, 0.14, 0), box("soil", (0.82, 0.02, 0.28), 0.0).move(0, 0.315, 0))
+    planter = union(
+        box("terracotta", (0.9, 0.36, 0.36), 0.02, 2).move(0, 0.14, 0),
+        box("soil", (0.82, 0.02, 0.28), 0.0).move(0, 0.315, 0),
+    )
     random = np.random.default_rng(9)
     for k in range(26):
         x, z = float(random.uniform(-0.38, 0.38)), float(random.uniform(-0.11, 0.11))
-        planter.add(leaf_blade("leaf_light", 0.26, 0.09, 0.5, 5).rotate("z", float(random.uniform(45, 80))).rotate("y", 137.5 * k).move(x, 0.32, z))
+        planter.add(
+            leaf_blade("leaf_light", 0.26, 0.09, 0.5, 5)
+            .rotate("z", float(random.uniform(45, 80)))
+            .rotate("y", 137.5 * k)
+            .move(x, 0.32, z)
+        )
         if k % 3 == 0:
             planter.add(sphere("petal", 0.032, 10, 0.7).move(x, 0.56 + 0.05 * math.sin(k), z))
     mesh = scene.shared("Planter", planter)

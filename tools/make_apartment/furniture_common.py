@@ -12,7 +12,16 @@ from geometry import Array, Mesh, box, curve, cylinder, lathe, normalize, quad, 
 from pictures import BOOK_CELLS
 
 
-def box_at(material: str, size: Sequence[float], x: float, y: float, z: float, radius: float = 0.004, segments: int = 1, grain: str = "x") -> Mesh:
+def box_at(
+    material: str,
+    size: Sequence[float],
+    x: float,
+    y: float,
+    z: float,
+    radius: float = 0.004,
+    segments: int = 1,
+    grain: str = "x",
+) -> Mesh:
     """A box whose bottom is centred at (x, y, z)."""
     return box(material, size, radius, segments, grain).move(x, y + size[1] / 2, z)
 
@@ -23,7 +32,9 @@ def board(material: str, size: Sequence[float], x: float, y: float, z: float, ra
     return box_at(material, size, x, y, z, radius, 1, grain)
 
 
-def tapered_leg(material: str, height: float, top: float, bottom: float, lean: tuple[float, float] = (0.0, 0.0)) -> Mesh:
+def tapered_leg(
+    material: str, height: float, top: float, bottom: float, lean: tuple[float, float] = (0.0, 0.0)
+) -> Mesh:
     """A round leg from the origin upwards; lean moves its foot outwards in x and z."""
     mesh = lathe(material, [(0, 0), (bottom * 0.8, 0), (bottom, 0.006), (top, height), (0, height)], 14, 40)
     for part in mesh.parts:
@@ -55,7 +66,20 @@ def bar_handle(material: str, length: float, vertical: bool = False) -> Mesh:
 
 
 def knob(material: str, radius: float = 0.014) -> Mesh:
-    return lathe(material, [(0, 0), (radius * 0.5, 0), (radius * 0.42, 0.010), (radius, 0.018), (radius * 0.9, 0.027), (radius * 0.45, 0.031), (0, 0.032)], 16, 70).rotate("x", 90)
+    return lathe(
+        material,
+        [
+            (0, 0),
+            (radius * 0.5, 0),
+            (radius * 0.42, 0.010),
+            (radius, 0.018),
+            (radius * 0.9, 0.027),
+            (radius * 0.45, 0.031),
+            (0, 0.032),
+        ],
+        16,
+        70,
+    ).rotate("x", 90)
 
 
 def panel_front(material: str, width: float, height: float, frame: float = 0.055, thickness: float = 0.019) -> Mesh:
@@ -66,7 +90,11 @@ def panel_front(material: str, width: float, height: float, frame: float = 0.055
         mesh.add(box(material, (f, h, t), 0.003, 1, "y").move(x, 0, t / 2))
     for y in (-(h - f) / 2, (h - f) / 2):
         mesh.add(box(material, (w - 2 * f, f, t), 0.003, 1, "x").move(0, y, t / 2))
-    return mesh.add(box(material, (w - 2 * f + 0.004, h - 2 * f + 0.004, t * 0.45), 0.0, 1, "y" if h > w else "x").move(0, 0, t * 0.225))
+    return mesh.add(
+        box(material, (w - 2 * f + 0.004, h - 2 * f + 0.004, t * 0.45), 0.0, 1, "y" if h > w else "x").move(
+            0, 0, t * 0.225
+        )
+    )
 
 
 def book(width: float, height: float, depth: float, cell: int) -> Mesh:
@@ -86,7 +114,9 @@ def book(width: float, height: float, depth: float, cell: int) -> Mesh:
     return cover.add(pages)
 
 
-def book_row(length: float, seed: int, heights: tuple[float, float] = (0.17, 0.25), depth: float = 0.15, lean: bool = True) -> Mesh:
+def book_row(
+    length: float, seed: int, heights: tuple[float, float] = (0.17, 0.25), depth: float = 0.15, lean: bool = True
+) -> Mesh:
     """Books side by side along X from 0 to at most `length`, spines to +Z at z = 0; the last one leans on the others."""
     random = np.random.default_rng(seed)
     mesh = Mesh()
@@ -112,14 +142,25 @@ def book_stack(count: int, seed: int) -> Mesh:
     random = np.random.default_rng(seed)
     mesh, y = Mesh(), 0.0
     for _ in range(count):
-        width, height, depth = float(random.uniform(0.018, 0.034)), float(random.uniform(0.19, 0.25)), float(random.uniform(0.14, 0.17))
-        one = book(width, height, depth, int(random.integers(0, BOOK_CELLS))).move(0, -height / 2).rotate("z", 90).move(0, width / 2)
+        width, height, depth = (
+            float(random.uniform(0.018, 0.034)),
+            float(random.uniform(0.19, 0.25)),
+            float(random.uniform(0.14, 0.17)),
+        )
+        one = (
+            book(width, height, depth, int(random.integers(0, BOOK_CELLS)))
+            .move(0, -height / 2)
+            .rotate("z", 90)
+            .move(0, width / 2)
+        )
         mesh.add(one.rotate("y", float(random.uniform(-16, 16)) + 90).move(0, y, 0))
         y += width + 0.001
     return mesh
 
 
-def picture(image: str, width: float, height: float, frame: str = "oak", mount: bool = True, bar: float = 0.028) -> Mesh:
+def picture(
+    image: str, width: float, height: float, frame: str = "oak", mount: bool = True, bar: float = 0.028
+) -> Mesh:
     """A framed picture hanging on a wall: centred, its back at z = 0, facing +Z."""
     mesh = Mesh()
     for x in (-(width - bar) / 2, (width - bar) / 2):
@@ -134,20 +175,54 @@ def picture(image: str, width: float, height: float, frame: str = "oak", mount: 
 def lampshade(bottom: float, top: float, height: float, material: str = "lampshade") -> Mesh:
     """An open drum or cone of cloth with wire rims, bottom at y = 0."""
     outer = lathe(material, [(bottom, 0), (top, height)], 36)
-    rims = union(*(tube("brass", [(r * math.cos(a), y, r * math.sin(a)) for a in np.linspace(0, 2 * math.pi, 36, endpoint=False)], 0.0022, 6, closed=True) for r, y in ((bottom, 0.0), (top, height))))
-    spokes = union(*(tube("brass", [(0, height - 0.03, 0), (top * math.cos(a), height, top * math.sin(a))], 0.0018, 6) for a in (0.0, 2.1, 4.2)))
+    rims = union(
+        *(
+            tube(
+                "brass",
+                [(r * math.cos(a), y, r * math.sin(a)) for a in np.linspace(0, 2 * math.pi, 36, endpoint=False)],
+                0.0022,
+                6,
+                closed=True,
+            )
+            for r, y in ((bottom, 0.0), (top, height))
+        )
+    )
+    spokes = union(
+        *(
+            tube("brass", [(0, height - 0.03, 0), (top * math.cos(a), height, top * math.sin(a))], 0.0018, 6)
+            for a in (0.0, 2.1, 4.2)
+        )
+    )
     return union(outer, rims, spokes)
 
 
 def bulb(radius: float = 0.03) -> Mesh:
-    return union(sphere("bulb", radius, 14, 1.1), cylinder("brass", radius * 0.45, radius * 1.1, 12).move(0, radius * 0.8, 0))
+    return union(
+        sphere("bulb", radius, 14, 1.1), cylinder("brass", radius * 0.45, radius * 1.1, 12).move(0, radius * 0.8, 0)
+    )
 
 
 def table_lamp(body: str, seed: int = 0) -> Mesh:
     """A ceramic table lamp with a cloth shade; the bulb is 0.36 m up."""
-    profile = [(0, 0), (0.062, 0), (0.066, 0.008), (0.062, 0.016), (0.05, 0.022), (0.072, 0.06), (0.088, 0.11), (0.080, 0.165), (0.048, 0.215), (0.022, 0.24), (0.020, 0.258), (0, 0.258)]
+    profile = [
+        (0, 0),
+        (0.062, 0),
+        (0.066, 0.008),
+        (0.062, 0.016),
+        (0.05, 0.022),
+        (0.072, 0.06),
+        (0.088, 0.11),
+        (0.080, 0.165),
+        (0.048, 0.215),
+        (0.022, 0.24),
+        (0.020, 0.258),
+        (0, 0.258),
+    ]
     mesh = lathe(body, profile, 28, 60)
-    mesh.add(cylinder("brass", 0.008, 0.075, 10).move(0, 0.255, 0), cylinder("brass", 0.017, 0.045, 14, 0.003).move(0, 0.30, 0))
+    mesh.add(
+        cylinder("brass", 0.008, 0.075, 10).move(0, 0.255, 0),
+        cylinder("brass", 0.017, 0.045, 14, 0.003).move(0, 0.30, 0),
+    )
     mesh.add(sphere("bulb", 0.028, 14).move(0, 0.372, 0))
     return mesh.add(lampshade(0.150, 0.105, 0.20).move(0, 0.275, 0))
 
@@ -157,17 +232,36 @@ def floor_lamp() -> Mesh:
     mesh = Mesh()
     for k in range(3):
         a = 2 * math.pi * k / 3 + 0.3
-        mesh.add(tube("walnut", [(0.30 * math.cos(a), 0.004, 0.30 * math.sin(a)), (0.035 * math.cos(a), 1.22, 0.035 * math.sin(a))], [0.010, 0.015], 12))
-    mesh.add(cylinder("brass", 0.055, 0.035, 24, 0.005).move(0, 1.20, 0), cylinder("brass", 0.010, 0.16, 12).move(0, 1.235, 0))
+        mesh.add(
+            tube(
+                "walnut",
+                [(0.30 * math.cos(a), 0.004, 0.30 * math.sin(a)), (0.035 * math.cos(a), 1.22, 0.035 * math.sin(a))],
+                [0.010, 0.015],
+                12,
+            )
+        )
+    mesh.add(
+        cylinder("brass", 0.055, 0.035, 24, 0.005).move(0, 1.20, 0),
+        cylinder("brass", 0.010, 0.16, 12).move(0, 1.235, 0),
+    )
     mesh.add(sphere("bulb", 0.034, 14).move(0, 1.42, 0))
     return mesh.add(lampshade(0.235, 0.19, 0.30).move(0, 1.28, 0))
 
 
 def pendant(drop: float, shade: str = "painted_black", radius: float = 0.17) -> Mesh:
     """A metal dome hanging from the ceiling: the ceiling is at y = 0, the rim of the dome at -drop."""
-    mesh = union(cylinder("black_metal", 0.05, 0.022, 20, 0.004).move(0, -0.022, 0), tube("rubber", [(0, -0.02, 0), (0, -drop + radius + 0.03, 0)], 0.0032, 8))
+    mesh = union(
+        cylinder("black_metal", 0.05, 0.022, 20, 0.004).move(0, -0.022, 0),
+        tube("rubber", [(0, -0.02, 0), (0, -drop + radius + 0.03, 0)], 0.0032, 8),
+    )
     steps = np.linspace(0, 1, 10)
-    outer = [(radius * math.sin(1.5 * t) / math.sin(1.5), -drop + radius * 0.92 * (math.cos(1.5 * t) - math.cos(1.5)) / (1 - math.cos(1.5))) for t in steps[::-1]]
+    outer = [
+        (
+            radius * math.sin(1.5 * t) / math.sin(1.5),
+            -drop + radius * 0.92 * (math.cos(1.5 * t) - math.cos(1.5)) / (1 - math.cos(1.5)),
+        )
+        for t in steps[::-1]
+    ]
     inner = [(r * 0.985, y - 0.003) for r, y in outer[::-1]]
     mesh.add(lathe(shade, outer, 32, 60), lathe("brass", inner, 32, 60))
     mesh.add(cylinder("brass", 0.022, 0.05, 14, 0.004).move(0, -drop + radius * 0.9, 0))
@@ -210,12 +304,24 @@ def curtain_rod(length: float, material: str = "brass") -> Mesh:
         mesh.add(cylinder(material, 0.024, 0.008, 16, 0.002).rotate("x", 90).move(side * (half - 0.12), 0, -0.098))
     for x in np.linspace(-half + 0.05, half - 0.05, int(length / 0.11)):
         if abs(x) > half * 0.45:
-            ring = [(float(x), -0.012 + 0.021 * math.sin(a), 0.021 * math.cos(a)) for a in np.linspace(0, 2 * math.pi, 12, endpoint=False)]
+            ring = [
+                (float(x), -0.012 + 0.021 * math.sin(a), 0.021 * math.cos(a))
+                for a in np.linspace(0, 2 * math.pi, 12, endpoint=False)
+            ]
             mesh.add(tube(material, ring, 0.0022, 6, closed=True))
     return mesh
 
 
-def leaf_blade(material: str, length: float, width: float, droop: float, steps: int = 7, cup: float = 0.25, tip: float = 0.85, rows: int = 5) -> Mesh:
+def leaf_blade(
+    material: str,
+    length: float,
+    width: float,
+    droop: float,
+    steps: int = 7,
+    cup: float = 0.25,
+    tip: float = 0.85,
+    rows: int = 5,
+) -> Mesh:
     """A leaf from the origin along +X, drooping downwards along its length; texture from 0 to 1."""
 
     def shape(u: Array, v: Array) -> Array:
@@ -233,7 +339,22 @@ def leaf_blade(material: str, length: float, width: float, droop: float, steps: 
 def plant_pot(material: str, radius: float, height: float) -> Mesh:
     """A pot with a rim, filled with soil to 3 cm below it."""
     r = radius
-    pot = lathe(material, [(0, 0), (r * 0.70, 0), (r * 0.72, 0.006), (r * 0.92, height - 0.035), (r, height - 0.03), (r, height), (r * 0.93, height), (r * 0.88, height - 0.05), (r * 0.85, height - 0.06)], 32, 40)
+    pot = lathe(
+        material,
+        [
+            (0, 0),
+            (r * 0.70, 0),
+            (r * 0.72, 0.006),
+            (r * 0.92, height - 0.035),
+            (r, height - 0.03),
+            (r, height),
+            (r * 0.93, height),
+            (r * 0.88, height - 0.05),
+            (r * 0.85, height - 0.06),
+        ],
+        32,
+        40,
+    )
     soil = lathe("soil", [(r * 0.89, height - 0.035), (r * 0.5, height - 0.025), (0, height - 0.022)], 24, 80)
     return pot.add(soil)
 
@@ -247,7 +368,13 @@ def fiddle_plant(seed: int, height: float, leaves: int, material: str = "leaf_da
         a = random.uniform(0, 2 * math.pi)
         points = [(0.02 * math.cos(a + k * 3), 0.0, 0.02 * math.sin(a + k * 3))]
         for t in (0.35, 0.7, 1.0):
-            points.append((points[0][0] + 0.10 * t * math.cos(a + k * 3) + random.normal() * 0.015, height * t * (1 - 0.18 * k), points[0][2] + 0.10 * t * math.sin(a + k * 3) + random.normal() * 0.015))
+            points.append(
+                (
+                    points[0][0] + 0.10 * t * math.cos(a + k * 3) + random.normal() * 0.015,
+                    height * t * (1 - 0.18 * k),
+                    points[0][2] + 0.10 * t * math.sin(a + k * 3) + random.normal() * 0.015,
+                )
+            )
         path = curve(*points, steps=6)
         stems.append(path)
         mesh.add(tube("bark", path, list(np.linspace(0.013, 0.006, len(path))), 8))
@@ -273,14 +400,20 @@ def snake_plant(seed: int, height: float, leaves: int) -> Mesh:
         width = 0.055 * float(random.uniform(0.8, 1.2))
         twist, bend = float(random.normal() * 0.7), float(random.uniform(0.02, 0.22))
 
-        def shape(u: Array, v: Array, size: float = size, width: float = width, twist: float = twist, bend: float = bend) -> Array:
+        def shape(
+            u: Array, v: Array, size: float = size, width: float = width, twist: float = twist, bend: float = bend
+        ) -> Array:
             w = width * np.clip(np.minimum(0.65 + u * 1.2, (1 - u) * 3.2 + 0.02), 0, 1) * (v - 0.5)
             a = twist * u
             x = bend * u * u * size + w * np.sin(a)
             cup = 0.6 * np.abs(v - 0.5) * width
             return np.stack([x + cup, size * u, w * np.cos(a)], 1)
 
-        mesh.add(surface("leaf_light" if k % 3 == 0 else "leaf", shape, 5, 9).rotate("y", k * 137.5).move(0.035 * math.cos(k * 2.4) * (k / leaves), 0, 0.035 * math.sin(k * 2.4) * (k / leaves)))
+        mesh.add(
+            surface("leaf_light" if k % 3 == 0 else "leaf", shape, 5, 9)
+            .rotate("y", k * 137.5)
+            .move(0.035 * math.cos(k * 2.4) * (k / leaves), 0, 0.035 * math.sin(k * 2.4) * (k / leaves))
+        )
     return mesh
 
 
@@ -292,13 +425,20 @@ def fern(seed: int, radius: float, fronds: int, material: str = "leaf_light") ->
         a = k * 137.5 + random.normal() * 6
         length = radius * float(random.uniform(0.75, 1.1))
         rise = float(random.uniform(0.35, 0.95)) * radius
-        path = curve((0, 0, 0), (length * 0.3, rise * 0.8, 0), (length * 0.7, rise, 0), (length, rise * 0.55, 0), steps=5)
+        path = curve(
+            (0, 0, 0), (length * 0.3, rise * 0.8, 0), (length * 0.7, rise, 0), (length, rise * 0.55, 0), steps=5
+        )
         frond = tube("stem", path, list(np.linspace(0.003, 0.001, len(path))), 5, caps=False)
         for i in range(2, len(path)):
             t = i / len(path)
             size = 0.34 * radius * (math.sin(math.pi * (0.12 + 0.85 * t)) ** 0.8)
             for side in (-1, 1):
-                frond.add(leaf_blade(material, size, size * 0.30, 0.5, 5, 0.1, rows=3).rotate("y", side * 62).rotate("z", -10 * t).move(*path[i]))
+                frond.add(
+                    leaf_blade(material, size, size * 0.30, 0.5, 5, 0.1, rows=3)
+                    .rotate("y", side * 62)
+                    .rotate("z", -10 * t)
+                    .move(*path[i])
+                )
         mesh.add(frond.rotate("y", a))
     return mesh
 
@@ -310,11 +450,23 @@ def trailing_plant(seed: int, strands: int, length: float) -> Mesh:
     for k in range(strands):
         drop = length * float(random.uniform(0.35, 1.0)) * (0.35 if k % 3 == 0 else 1.0)
         out = 0.10 + 0.03 * float(random.uniform())
-        path = curve((0.02, 0, 0), (0.07, 0.05, 0), (out, 0.01, 0.01), (out + 0.01, -drop * 0.5, 0.02 * random.normal()), (out + 0.02 * random.normal(), -drop, 0.03 * random.normal()), steps=4)
+        path = curve(
+            (0.02, 0, 0),
+            (0.07, 0.05, 0),
+            (out, 0.01, 0.01),
+            (out + 0.01, -drop * 0.5, 0.02 * random.normal()),
+            (out + 0.02 * random.normal(), -drop, 0.03 * random.normal()),
+            steps=4,
+        )
         strand = tube("stem", path, 0.0018, 5, caps=False)
         for i in range(1, len(path)):
             size = float(random.uniform(0.035, 0.06))
-            strand.add(leaf_blade("leaf" if i % 2 else "leaf_light", size, size * 0.85, 0.8, 5, rows=3).rotate("z", -25 + random.normal() * 20).rotate("y", float(random.uniform(-80, 80))).move(*path[i]))
+            strand.add(
+                leaf_blade("leaf" if i % 2 else "leaf_light", size, size * 0.85, 0.8, 5, rows=3)
+                .rotate("z", -25 + random.normal() * 20)
+                .rotate("y", float(random.uniform(-80, 80)))
+                .move(*path[i])
+            )
         mesh.add(strand.rotate("y", k * 360 / strands + random.normal() * 8))
     return mesh
 
@@ -344,7 +496,9 @@ def cushion(material: str, size: float, seed: int, thickness: float = 0.10) -> M
     return mesh.add(tube(material, edge, 0.0045, 6, closed=True))
 
 
-def drape(material: str, width: float, length: float, path: Sequence[Sequence[float]], seed: int, ripple: float = 0.012) -> Mesh:
+def drape(
+    material: str, width: float, length: float, path: Sequence[Sequence[float]], seed: int, ripple: float = 0.012
+) -> Mesh:
     """A cloth of a width in z laid along a path in the XY plane, with soft ripples; both sides have faces."""
     points = np.array(path, dtype=float)
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
@@ -352,12 +506,17 @@ def drape(material: str, width: float, length: float, path: Sequence[Sequence[fl
 
     def shape(u: Array, v: Array) -> Array:
         x, y = np.interp(u, along, points[:, 0]), np.interp(u, along, points[:, 1])
-        dx, dy = np.interp(np.clip(u + 0.01, 0, 1), along, points[:, 0]) - np.interp(np.clip(u - 0.01, 0, 1), along, points[:, 0]), np.interp(
-            np.clip(u + 0.01, 0, 1), along, points[:, 1]
-        ) - np.interp(np.clip(u - 0.01, 0, 1), along, points[:, 1])
+        dx, dy = (
+            np.interp(np.clip(u + 0.01, 0, 1), along, points[:, 0])
+            - np.interp(np.clip(u - 0.01, 0, 1), along, points[:, 0]),
+            np.interp(np.clip(u + 0.01, 0, 1), along, points[:, 1])
+            - np.interp(np.clip(u - 0.01, 0, 1), along, points[:, 1]),
+        )
         n = normalize(np.stack([-dy, dx], 1))
         wave = ripple * (0.6 + 0.4 * np.sin(9 * v + seed + 2 * u)) * (1 + np.sin(14 * v + 5 * u + seed)) * 0.5
-        return np.stack([x + n[:, 0] * wave, y + n[:, 1] * wave, (0.5 - v) * width * (1 + 0.03 * np.sin(7 * u + seed))], 1)
+        return np.stack(
+            [x + n[:, 0] * wave, y + n[:, 1] * wave, (0.5 - v) * width * (1 + 0.03 * np.sin(7 * u + seed))], 1
+        )
 
     return surface(material, shape, 22, 40, (length, width), flip=True)
 
@@ -371,13 +530,44 @@ def bowl(material: str, radius: float, height: float, thickness: float = 0.006) 
 
 def vase(material: str, radius: float, height: float) -> Mesh:
     r, h = radius, height
-    profile = [(0, 0), (r * 0.55, 0), (r * 0.62, h * 0.02), (r * 0.86, h * 0.2), (r, h * 0.4), (r * 0.88, h * 0.62), (r * 0.5, h * 0.82), (r * 0.40, h * 0.90), (r * 0.46, h * 0.98), (r * 0.47, h), (r * 0.41, h), (r * 0.35, h * 0.9), (r * 0.44, h * 0.8), (0, h * 0.75)]
+    profile = [
+        (0, 0),
+        (r * 0.55, 0),
+        (r * 0.62, h * 0.02),
+        (r * 0.86, h * 0.2),
+        (r, h * 0.4),
+        (r * 0.88, h * 0.62),
+        (r * 0.5, h * 0.82),
+        (r * 0.40, h * 0.90),
+        (r * 0.46, h * 0.98),
+        (r * 0.47, h),
+        (r * 0.41, h),
+        (r * 0.35, h * 0.9),
+        (r * 0.44, h * 0.8),
+        (0, h * 0.75),
+    ]
     return lathe(material, profile, 30, 70)
 
 
 def bottle(glass: str, height: float, radius: float, label: str | None = "label", cap: str = "painted_black") -> Mesh:
     r, h = radius, height
-    mesh = lathe(glass, [(0, 0), (r * 0.92, 0), (r, h * 0.02), (r, h * 0.58), (r * 0.85, h * 0.68), (r * 0.42, h * 0.78), (r * 0.36, h * 0.95), (r * 0.42, h * 0.955), (r * 0.42, h * 0.97), (0, h * 0.97)], 22, 50)
+    mesh = lathe(
+        glass,
+        [
+            (0, 0),
+            (r * 0.92, 0),
+            (r, h * 0.02),
+            (r, h * 0.58),
+            (r * 0.85, h * 0.68),
+            (r * 0.42, h * 0.78),
+            (r * 0.36, h * 0.95),
+            (r * 0.42, h * 0.955),
+            (r * 0.42, h * 0.97),
+            (0, h * 0.97),
+        ],
+        22,
+        50,
+    )
     mesh.add(cylinder(cap, r * 0.40, h * 0.09, 16, 0.002).move(0, h * 0.91, 0))
     if label:
         mesh.add(lathe(label, [(r * 1.012, h * 0.16), (r * 1.012, h * 0.46)], 22))
@@ -385,17 +575,60 @@ def bottle(glass: str, height: float, radius: float, label: str | None = "label"
 
 
 def mug(material: str) -> Mesh:
-    mesh = lathe(material, [(0, 0), (0.034, 0), (0.040, 0.004), (0.041, 0.09), (0.040, 0.092), (0.037, 0.09), (0.036, 0.008), (0, 0.006)], 24, 45)
-    return mesh.add(tube(material, curve((0.040, 0.075, 0), (0.066, 0.070, 0), (0.068, 0.04, 0), (0.040, 0.022, 0), steps=6), 0.0052, 8, caps=False))
+    mesh = lathe(
+        material,
+        [(0, 0), (0.034, 0), (0.040, 0.004), (0.041, 0.09), (0.040, 0.092), (0.037, 0.09), (0.036, 0.008), (0, 0.006)],
+        24,
+        45,
+    )
+    return mesh.add(
+        tube(
+            material,
+            curve((0.040, 0.075, 0), (0.066, 0.070, 0), (0.068, 0.04, 0), (0.040, 0.022, 0), steps=6),
+            0.0052,
+            8,
+            caps=False,
+        )
+    )
 
 
 def plate(material: str, radius: float) -> Mesh:
     r = radius
-    return lathe(material, [(0, 0.002), (r * 0.55, 0.002), (r * 0.56, 0), (r * 0.62, 0), (r * 0.98, 0.018), (r, 0.021), (r * 0.97, 0.022), (r * 0.64, 0.007), (0, 0.006)], 34, 50)
+    return lathe(
+        material,
+        [
+            (0, 0.002),
+            (r * 0.55, 0.002),
+            (r * 0.56, 0),
+            (r * 0.62, 0),
+            (r * 0.98, 0.018),
+            (r, 0.021),
+            (r * 0.97, 0.022),
+            (r * 0.64, 0.007),
+            (0, 0.006),
+        ],
+        34,
+        50,
+    )
 
 
 def wine_glass() -> Mesh:
-    profile = [(0, 0), (0.034, 0.0), (0.034, 0.002), (0.006, 0.008), (0.0038, 0.02), (0.0038, 0.085), (0.012, 0.095), (0.033, 0.125), (0.036, 0.15), (0.030, 0.20), (0.0288, 0.20), (0.0345, 0.15), (0.0315, 0.127), (0.0, 0.098)]
+    profile = [
+        (0, 0),
+        (0.034, 0.0),
+        (0.034, 0.002),
+        (0.006, 0.008),
+        (0.0038, 0.02),
+        (0.0038, 0.085),
+        (0.012, 0.095),
+        (0.033, 0.125),
+        (0.036, 0.15),
+        (0.030, 0.20),
+        (0.0288, 0.20),
+        (0.0345, 0.15),
+        (0.0315, 0.127),
+        (0.0, 0.098),
+    ]
     return lathe("clear_glass", profile, 24, 60)
 
 
@@ -403,7 +636,12 @@ def towel(material: str, width: float, drop: float, thickness: float = 0.03) -> 
     """A folded towel over a rail along X at the origin, hanging down on both sides, with two woven bands."""
     mesh = soft_box(material, (width, drop, thickness), thickness * 0.48, 0.003, 5, 3, 0.002, int(width * 100))
     mesh.move(0, -drop / 2 + 0.014, 0)
-    return mesh.add(*(box(material, (width * 1.004, 0.012, thickness * 1.12), 0.004, 1).move(0, -drop + 0.08 + 0.02 * k, 0) for k in range(2)))
+    return mesh.add(
+        *(
+            box(material, (width * 1.004, 0.012, thickness * 1.12), 0.004, 1).move(0, -drop + 0.08 + 0.02 * k, 0)
+            for k in range(2)
+        )
+    )
 
 
 def radiator(width: float, height: float) -> Mesh:
@@ -418,5 +656,9 @@ def radiator(width: float, height: float) -> Mesh:
             mesh.add(box("white_lacquer", (width / count * 0.96, 0.034, 0.085), 0.004, 1).move(x, y, 0.07))
     for side in (-1, 1):
         mesh.add(box_at("white_lacquer", (0.03, 0.11, 0.05), side * width * 0.4, 0, 0.07, 0.004))
-    valve = tube("chrome", [(width / 2, 0.115, 0.07), (width / 2 + 0.05, 0.115, 0.07), (width / 2 + 0.05, 0.0, 0.07)], 0.008, 10)
-    return mesh.add(valve, cylinder("plastic_white", 0.019, 0.06, 16, 0.004).rotate("z", -90).move(width / 2 + 0.05, 0.115, 0.07))
+    valve = tube(
+        "chrome", [(width / 2, 0.115, 0.07), (width / 2 + 0.05, 0.115, 0.07), (width / 2 + 0.05, 0.0, 0.07)], 0.008, 10
+    )
+    return mesh.add(
+        valve, cylinder("plastic_white", 0.019, 0.06, 16, 0.004).rotate("z", -90).move(width / 2 + 0.05, 0.115, 0.07)
+    )

@@ -40,7 +40,12 @@ class Mesh:
         return self
 
     def copy(self) -> Mesh:
-        return Mesh([Part(p.material, p.positions.copy(), p.normals.copy(), p.uv.copy(), p.triangles.copy()) for p in self.parts])
+        return Mesh(
+            [
+                Part(p.material, p.positions.copy(), p.normals.copy(), p.uv.copy(), p.triangles.copy())
+                for p in self.parts
+            ]
+        )
 
     def move(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Mesh:
         for part in self.parts:
@@ -141,7 +146,9 @@ def grid_triangles(rows: int, columns: int) -> NDArray[np.int64]:
     """Two triangles for each cell of a rows x columns grid of vertices in row-major order."""
     r, c = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     i = (r * columns + c).reshape(-1)
-    return np.stack([np.stack([i, i + 1, i + columns + 1], 1), np.stack([i, i + columns + 1, i + columns], 1)], 1).reshape(-1, 3)
+    return np.stack(
+        [np.stack([i, i + 1, i + columns + 1], 1), np.stack([i, i + columns + 1, i + columns], 1)], 1
+    ).reshape(-1, 3)
 
 
 def box_uv(positions: Array, axis: int, grain: int) -> Array:
@@ -214,7 +221,14 @@ def box(
 
 
 def soft_box(
-    material: str, size: Sequence[float], radius: float, puff: float, flat: int = 8, segments: int = 3, wrinkle: float = 0.0, seed: int = 0
+    material: str,
+    size: Sequence[float],
+    radius: float,
+    puff: float,
+    flat: int = 8,
+    segments: int = 3,
+    wrinkle: float = 0.0,
+    seed: int = 0,
 ) -> Mesh:
     """A cushion: a rounded box whose sides bulge by `puff` metres, with low waves of `wrinkle` metres."""
     mesh = box(material, size, radius, segments, flat=flat)
@@ -274,7 +288,13 @@ def surface(
     return Mesh([Part(material, positions, normals, np.stack([u, 1 - v], 1) * scale, triangles)])
 
 
-def lathe(material: str, profile: Iterable[tuple[float, float]], segments: int = 24, sharp_degrees: float = 35.0, arc: float = 360.0) -> Mesh:
+def lathe(
+    material: str,
+    profile: Iterable[tuple[float, float]],
+    segments: int = 24,
+    sharp_degrees: float = 35.0,
+    arc: float = 360.0,
+) -> Mesh:
     """Turns a profile of (radius, height) points, listed from bottom to top along the outside, round the Y axis."""
     points = np.array(list(profile), dtype=float)
     steps = np.diff(points, axis=0)
@@ -317,18 +337,28 @@ def lathe(material: str, profile: Iterable[tuple[float, float]], segments: int =
     return Mesh(parts)
 
 
-def cylinder(material: str, radius: float, height: float, segments: int = 20, bevel: float = 0.0, top_radius: float | None = None) -> Mesh:
+def cylinder(
+    material: str, radius: float, height: float, segments: int = 20, bevel: float = 0.0, top_radius: float | None = None
+) -> Mesh:
     """A closed cylinder (or cone frustum) standing on the origin."""
     top = radius if top_radius is None else top_radius
     b = min(bevel, height / 3, radius / 3)
     if b <= 0:
         return lathe(material, [(0, 0), (radius, 0), (top, height), (0, height)], segments)
-    return lathe(material, [(0, 0), (radius - b, 0), (radius, b), (top, height - b), (max(top - b, 0), height), (0, height)], segments, 50)
+    return lathe(
+        material,
+        [(0, 0), (radius - b, 0), (radius, b), (top, height - b), (max(top - b, 0), height), (0, height)],
+        segments,
+        50,
+    )
 
 
 def sphere(material: str, radius: float, segments: int = 20, squash: float = 1.0) -> Mesh:
     angles = np.linspace(-math.pi / 2, math.pi / 2, segments // 2 + 1)
-    profile = [(max(0.0, radius * math.cos(a)) if abs(a) < math.pi / 2 - 1e-6 else 0.0, radius * squash * math.sin(a)) for a in angles]
+    profile = [
+        (max(0.0, radius * math.cos(a)) if abs(a) < math.pi / 2 - 1e-6 else 0.0, radius * squash * math.sin(a))
+        for a in angles
+    ]
     return lathe(material, profile, segments, 180)
 
 
@@ -345,7 +375,11 @@ def tube(
     if closed:
         points = np.concatenate([points, points[:1]])
     n = len(points)
-    radii = np.broadcast_to(np.asarray(radius, dtype=float), (n,)) if np.isscalar(radius) or closed else np.asarray(radius, dtype=float)
+    radii = (
+        np.broadcast_to(np.asarray(radius, dtype=float), (n,))
+        if np.isscalar(radius) or closed
+        else np.asarray(radius, dtype=float)
+    )
     tangents = np.zeros_like(points)
     tangents[1:-1] = points[2:] - points[:-2]
     tangents[0], tangents[-1] = points[1] - points[0], points[-1] - points[-2]
@@ -416,7 +450,9 @@ def sweep(material: str, profile: Iterable[tuple[float, float]], length: float) 
         d = b - a
         span = float(np.linalg.norm(d))
         normal = normalize(np.array([0.0, -d[0], d[1]]))
-        positions = np.array([[0, a[1], a[0]], [length, a[1], a[0]], [length, b[1], b[0]], [0, b[1], b[0]]], dtype=float)
+        positions = np.array(
+            [[0, a[1], a[0]], [length, a[1], a[0]], [length, b[1], b[0]], [0, b[1], b[0]]], dtype=float
+        )
         uv = np.array([[0, along], [length, along], [length, along + span], [0, along + span]])
         triangles = np.array([[0, 1, 2], [0, 2, 3]])
         face = np.cross(positions[1] - positions[0], positions[2] - positions[0])
@@ -444,7 +480,14 @@ def leaf_tuft(material: str, count: int, length: float, seed: int) -> Mesh:
 
         def shape(u: Array, v: Array, size: float = size, droop: float = droop) -> Array:
             side = (v - 0.5) * size * 0.32 * np.sin(math.pi * np.clip(u, 0.02, 1) ** 0.8)
-            return np.stack([size * np.sin(droop * u) / droop, -size * (1 - np.cos(droop * u)) / droop + 0.12 * np.abs(side), -side], 1)
+            return np.stack(
+                [
+                    size * np.sin(droop * u) / droop,
+                    -size * (1 - np.cos(droop * u)) / droop + 0.12 * np.abs(side),
+                    -side,
+                ],
+                1,
+            )
 
         blade = surface(material, shape, 3, 6)
         mesh.add(blade.rotate("z", float(random.uniform(30, 85))).rotate("y", 137.5 * k))

@@ -87,8 +87,15 @@ class GltfWriter:
         self.binary.extend(data)
         return len(views) - 1
 
-    def _accessor(self, array: np.ndarray[Any, Any], component: int, kind: str, target: int, bounds: bool = False) -> int:
-        entry: dict[str, Any] = {"bufferView": self._view(array.tobytes(), target), "componentType": component, "count": len(array), "type": kind}
+    def _accessor(
+        self, array: np.ndarray[Any, Any], component: int, kind: str, target: int, bounds: bool = False
+    ) -> int:
+        entry: dict[str, Any] = {
+            "bufferView": self._view(array.tobytes(), target),
+            "componentType": component,
+            "count": len(array),
+            "type": kind,
+        }
         if bounds:
             entry["min"] = [float(v) for v in array.min(axis=0)]
             entry["max"] = [float(v) for v in array.max(axis=0)]
@@ -109,7 +116,11 @@ class GltfWriter:
         if name not in MATERIALS:
             raise ValueError(f"the material {name!r} is not in materials.py")
         m: Material = MATERIALS[name]
-        pbr: dict[str, Any] = {"baseColorFactor": [*linear(m.colour), m.alpha], "metallicFactor": m.metallic, "roughnessFactor": m.roughness}
+        pbr: dict[str, Any] = {
+            "baseColorFactor": [*linear(m.colour), m.alpha],
+            "metallicFactor": m.metallic,
+            "roughnessFactor": m.roughness,
+        }
         entry: dict[str, Any] = {"name": name, "pbrMetallicRoughness": pbr}
         if m.maps:
             files = self.images[m.maps]
@@ -152,7 +163,9 @@ class GltfWriter:
                         "NORMAL": self._accessor(part.normals.astype("<f4"), FLOAT, "VEC3", ARRAY_BUFFER),
                         "TEXCOORD_0": self._accessor((part.uv / tile).astype("<f4"), FLOAT, "VEC2", ARRAY_BUFFER),
                     },
-                    "indices": self._accessor(indices, UNSIGNED_SHORT if short else UNSIGNED_INT, "SCALAR", ELEMENT_ARRAY_BUFFER),
+                    "indices": self._accessor(
+                        indices, UNSIGNED_SHORT if short else UNSIGNED_INT, "SCALAR", ELEMENT_ARRAY_BUFFER
+                    ),
                     "material": material,
                 }
             )
@@ -204,7 +217,15 @@ def sidecar(scene: Scene, settings: dict[str, Any]) -> dict[str, Any]:
         if node.properties:
             entry["properties"] = node.properties
         nodes[node.name] = entry
-    return {"format": "spear-scene", "version": 1, "name": scene.name, "gltf": f"{scene.name}.gltf", **settings, "actors": scene.actors, "nodes": nodes}
+    return {
+        "format": "spear-scene",
+        "version": 1,
+        "name": scene.name,
+        "gltf": f"{scene.name}.gltf",
+        **settings,
+        "actors": scene.actors,
+        "nodes": nodes,
+    }
 
 
 def write(scene: Scene, settings: dict[str, Any], folder: Path, workers: int) -> None:

@@ -17,23 +17,41 @@ def canvas_texture(image: Array, seed: int, roughness: float = 0.75) -> Maps:
     strokes = noise(size, seed, 1.0, (0.35, 1.0), low=12, high=140)
     cloth = weave(size, seed + 1, (1.0, 1.0, 1.0), 160, 0.5)
     assert cloth.height is not None
-    return Maps(np.clip(image * (1 + 0.035 * strokes)[..., None], 0, 1), 0.12 * strokes + 0.3 * cloth.height, np.full((size, size), roughness))
+    return Maps(
+        np.clip(image * (1 + 0.035 * strokes)[..., None], 0, 1),
+        0.12 * strokes + 0.3 * cloth.height,
+        np.full((size, size), roughness),
+    )
 
 
 def landscape(size: int, seed: int) -> Maps:
     """Hills in the haze under an evening sky."""
     x, y = coordinates(size)
     glow = np.exp(-(((x - 0.68) / 0.35) ** 2 + ((y - 0.42) / 0.22) ** 2))
-    sky = mix((0.30, 0.45, 0.62), (0.95, 0.78, 0.58), np.clip(y * 1.7 + 0.10 * noise(size, seed, 1.8, (0.4, 1.0), high=30), 0, 1))
+    sky = mix(
+        (0.30, 0.45, 0.62),
+        (0.95, 0.78, 0.58),
+        np.clip(y * 1.7 + 0.10 * noise(size, seed, 1.8, (0.4, 1.0), high=30), 0, 1),
+    )
     image = mix(sky, (1.0, 0.93, 0.76), np.clip(glow * 0.8, 0, 1))
     disc = smoothstep(0.052, 0.047, np.hypot(x - 0.68, y - 0.38))
     image = mix(image, (1.0, 0.96, 0.84), disc)
-    layers: list[Colour] = [(0.62, 0.62, 0.66), (0.46, 0.52, 0.55), (0.33, 0.43, 0.42), (0.22, 0.32, 0.26), (0.13, 0.20, 0.15)]
+    layers: list[Colour] = [
+        (0.62, 0.62, 0.66),
+        (0.46, 0.52, 0.55),
+        (0.33, 0.43, 0.42),
+        (0.22, 0.32, 0.26),
+        (0.13, 0.20, 0.15),
+    ]
     for k, colour in enumerate(layers):
         ridge = noise(size, seed + 10 + k, 1.7, high=40)[0] * (0.035 + 0.012 * k)
         level = 0.46 + 0.115 * k + ridge[None, :]
         tone = mix(colour, (0.85, 0.72, 0.55), np.clip(0.30 * np.exp(-(y - level) / 0.08) * (1 - k / 5), 0, 1))
-        image = mix(image, tone * (1 + 0.06 * noise(size, seed + 20 + k, 1.2, (0.5, 1.0), low=4))[..., None], smoothstep(0.0, 0.006, y - level))
+        image = mix(
+            image,
+            tone * (1 + 0.06 * noise(size, seed + 20 + k, 1.2, (0.5, 1.0), low=4))[..., None],
+            smoothstep(0.0, 0.006, y - level),
+        )
     return canvas_texture(np.clip(image, 0, 1), seed + 40)
 
 
@@ -86,7 +104,14 @@ def botanical(size: int, seed: int) -> Maps:
         for side in (-1, 1):
             angle = math.pi / 2 - side * (1.05 - 0.35 * t)
             green = 70 + int(random.integers(0, 40))
-            blade(px, py, angle, s * 0.27 * (1 - t) ** 0.7 + s * 0.03, s * 0.028 * (1 - 0.6 * t), (40 + green // 4, green + 22, 52))
+            blade(
+                px,
+                py,
+                angle,
+                s * 0.27 * (1 - t) ** 0.7 + s * 0.03,
+                s * 0.028 * (1 - 0.6 * t),
+                (40 + green // 4, green + 22, 52),
+            )
     stem = [(s * (0.5 + 0.04 * math.sin(3 * t)), s * (0.93 - 0.80 * t)) for t in np.linspace(0, 1, 40)]
     draw.line(stem, fill=(66, 84, 44), width=max(2, s // 220))
     image = np.asarray(picture.resize((size, size), Image.Resampling.LANCZOS), dtype=float) / 255
@@ -124,14 +149,27 @@ def rug(size: int, seed: int, ground: Colour, accent: Colour, line: Colour) -> M
     image = mix(image, line, smoothstep(0.02, -0.02, diamond - 0.13))
     zig = np.abs(((x * 6 + 0.5) % 1.0) - 0.5) * 2 / 9
     image = mix(image, line, smoothstep(0.003, -0.003, np.abs((y * 1.0 - zig * 0.3) % (1 / 9) - 0.004) - 0.004) * 0.6)
-    for inner, outer, colour in ((0.075, 0.085, line), (0.035, 0.075, accent), (0.028, 0.035, line), (0.0, 0.028, ground)):
+    for inner, outer, colour in (
+        (0.075, 0.085, line),
+        (0.035, 0.075, accent),
+        (0.028, 0.035, line),
+        (0.0, 0.028, ground),
+    ):
         image = mix(image, colour, smoothstep(inner - 0.002, inner, margin) * smoothstep(outer, outer - 0.002, margin))
     teeth = np.abs(((x + y) * 30) % 1.0 - 0.5)
-    image = mix(image, ground, smoothstep(0.22, 0.18, teeth) * smoothstep(0.040, 0.042, margin) * smoothstep(0.070, 0.068, margin))
+    image = mix(
+        image,
+        ground,
+        smoothstep(0.22, 0.18, teeth) * smoothstep(0.040, 0.042, margin) * smoothstep(0.070, 0.068, margin),
+    )
     pile = noise(size, seed, 0.4, low=60)
     rows = 0.5 + 0.5 * np.sin(2 * math.pi * y * 170)
     fade = 1 + 0.05 * noise(size, seed + 1, 2.0, high=12) + 0.05 * pile
-    return Maps(np.clip(image * (fade * (0.86 + 0.14 * rows))[..., None], 0, 1), 0.5 * rows + 0.3 * pile, np.full((size, size), 0.97))
+    return Maps(
+        np.clip(image * (fade * (0.86 + 0.14 * rows))[..., None], 0, 1),
+        0.5 * rows + 0.3 * pile,
+        np.full((size, size), 0.97),
+    )
 
 
 BOOK_CELLS = 8
@@ -175,7 +213,14 @@ def clock_face(size: int, seed: int) -> Maps:
     for k in range(60):
         a = 2 * math.pi * k / 60
         inner, width = (0.40, s // 70) if k % 5 == 0 else (0.44, s // 220)
-        draw.line([(s * (0.5 + inner * math.sin(a)), s * (0.5 - inner * math.cos(a))), (s * (0.5 + 0.465 * math.sin(a)), s * (0.5 - 0.465 * math.cos(a)))], fill=(34, 32, 30), width=width)
+        draw.line(
+            [
+                (s * (0.5 + inner * math.sin(a)), s * (0.5 - inner * math.cos(a))),
+                (s * (0.5 + 0.465 * math.sin(a)), s * (0.5 - 0.465 * math.cos(a))),
+            ],
+            fill=(34, 32, 30),
+            width=width,
+        )
     return Maps(np.asarray(picture.resize((size, size), Image.Resampling.LANCZOS), dtype=float) / 255, None, None)
 
 
@@ -189,7 +234,12 @@ def globe(size: int, seed: int) -> Maps:
     image = mix(sea, ground, height)
     image = mix(image, (0.33, 0.28, 0.22), np.exp(-np.abs(land - 0.21) / 0.016) * 0.8)
     grid = np.minimum(np.abs((x * 24) % 1.0 - 0.5), np.abs((y * 12) % 1.0 - 0.5) * 0.5)
-    image = mix(image, (0.36, 0.32, 0.27), smoothstep(0.488, 0.495, np.maximum(np.abs((x * 24) % 1.0 - 0.5), np.abs((y * 12) % 1.0 - 0.5))) * 0.35 + 0 * grid)
+    image = mix(
+        image,
+        (0.36, 0.32, 0.27),
+        smoothstep(0.488, 0.495, np.maximum(np.abs((x * 24) % 1.0 - 0.5), np.abs((y * 12) % 1.0 - 0.5))) * 0.35
+        + 0 * grid,
+    )
     return Maps(np.clip(image, 0, 1), None, np.full((size, size), 0.42))
 
 
@@ -212,12 +262,30 @@ def screen(size: int, seed: int) -> Maps:
             draw.rectangle([x, y, x + w, y + s * 0.011], fill=colours[int(random.integers(0, 6))])
             x += w + s * 0.012
     for row in range(16):
-        draw.rectangle([s * 0.02, s * (0.08 + 0.03 * row), s * (0.05 + float(random.uniform(0.01, 0.06))), s * (0.09 + 0.03 * row)], fill=(98, 104, 128))
+        draw.rectangle(
+            [
+                s * 0.02,
+                s * (0.08 + 0.03 * row),
+                s * (0.05 + float(random.uniform(0.01, 0.06))),
+                s * (0.09 + 0.03 * row),
+            ],
+            fill=(98, 104, 128),
+        )
     draw.rectangle([s * 0.61, s * 0.07, s * 0.975, s * 0.50], fill=(239, 241, 245))
     for k, colour in enumerate(((30, 102, 245), (223, 142, 29), (64, 160, 43))):
         points = []
         for t in np.linspace(0, 1, 60):
-            points.append((s * (0.63 + 0.325 * t), s * (0.46 - 0.34 * (1 - math.exp(-t * (2 + k * 1.5))) * (0.6 + 0.18 * k) - 0.008 * math.sin(t * 40 + k * 2))))
+            points.append(
+                (
+                    s * (0.63 + 0.325 * t),
+                    s
+                    * (
+                        0.46
+                        - 0.34 * (1 - math.exp(-t * (2 + k * 1.5))) * (0.6 + 0.18 * k)
+                        - 0.008 * math.sin(t * 40 + k * 2)
+                    ),
+                )
+            )
         draw.line(points, fill=colour, width=s // 170)
     for k in range(3):
         tone = 60 + 40 * k

@@ -122,9 +122,13 @@ class Scene:
         )  # fmt: skip
         return name
 
-    def actor(self, name: str, unreal_class: str, location: Vector, rotation: Vector = (0.0, 0.0, 0.0), **rest: Any) -> None:
+    def actor(
+        self, name: str, unreal_class: str, location: Vector, rotation: Vector = (0.0, 0.0, 0.0), **rest: Any
+    ) -> None:
         """An actor of the sidecar alone: location in UE's centimetres, rotation as pitch, yaw and roll in degrees."""
-        self.actors.append({"name": name, "class": unreal_class, "location": list(location), "rotation": list(rotation), **rest})
+        self.actors.append(
+            {"name": name, "class": unreal_class, "location": list(location), "rotation": list(rotation), **rest}
+        )
 
 
 def look_along(direction: Vector) -> tuple[float, float, float, float]:

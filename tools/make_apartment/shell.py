@@ -24,7 +24,9 @@ class Opening:
     top: float
 
 
-def wall(length: float, thickness: float, openings: Sequence[Opening], front: str, back: str, offset: float = 0.0) -> Mesh:
+def wall(
+    length: float, thickness: float, openings: Sequence[Opening], front: str, back: str, offset: float = 0.0
+) -> Mesh:
     """A wall along X from 0 to length, its front (+Z) and back painted differently, with white reveals in the openings.
 
     Textures continue along a row of walls through `offset`, the place of the wall's start in metres.
@@ -42,7 +44,11 @@ def wall(length: float, thickness: float, openings: Sequence[Opening], front: st
                     continue
                 base = len(positions)
                 positions += [(x0, y0, z), (x1, y0, z), (x1, y1, z), (x0, y1, z)]
-                triangles += [(base, base + 1, base + 2), (base, base + 2, base + 3)] if sign > 0 else [(base, base + 2, base + 1), (base, base + 3, base + 2)]
+                triangles += (
+                    [(base, base + 1, base + 2), (base, base + 2, base + 3)]
+                    if sign > 0
+                    else [(base, base + 2, base + 1), (base, base + 3, base + 2)]
+                )
         p = np.array(positions)
         uv = np.stack([p[:, 0] + offset, -p[:, 1]], 1)
         mesh.add(Mesh([Part(material, p, np.tile([0.0, 0.0, sign], (len(p), 1)), uv, np.array(triangles))]))
@@ -61,11 +67,16 @@ def wall(length: float, thickness: float, openings: Sequence[Opening], front: st
         rectangle([(x, 0, -h), (x, 0, h), (x, CEILING, h), (x, CEILING, -h)], (n, 0, 0))
     rectangle([(0, CEILING, -h), (length, CEILING, -h), (length, CEILING, h), (0, CEILING, h)], (0, 1, 0))
     for o in openings:
-        rectangle([(o.start, o.bottom, -h), (o.start, o.bottom, h), (o.start, o.top, h), (o.start, o.top, -h)], (1, 0, 0))
+        rectangle(
+            [(o.start, o.bottom, -h), (o.start, o.bottom, h), (o.start, o.top, h), (o.start, o.top, -h)], (1, 0, 0)
+        )
         rectangle([(o.end, o.bottom, -h), (o.end, o.bottom, h), (o.end, o.top, h), (o.end, o.top, -h)], (-1, 0, 0))
         rectangle([(o.start, o.top, -h), (o.end, o.top, -h), (o.end, o.top, h), (o.start, o.top, h)], (0, -1, 0))
         if o.bottom > 0:
-            rectangle([(o.start, o.bottom, -h), (o.end, o.bottom, -h), (o.end, o.bottom, h), (o.start, o.bottom, h)], (0, 1, 0))
+            rectangle(
+                [(o.start, o.bottom, -h), (o.end, o.bottom, -h), (o.end, o.bottom, h), (o.start, o.bottom, h)],
+                (0, 1, 0),
+            )
     return mesh
 
 
@@ -75,7 +86,11 @@ def floor(material: str, x0: float, x1: float, z0: float, z1: float, thickness: 
 
 
 def _slab(material: str, x0: float, x1: float, z0: float, z1: float, y0: float, y1: float) -> Mesh:
-    return box(material, (x1 - x0, y1 - y0, z1 - z0), 0.0, grain_shift=False).move((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2).map_uv(lambda uv: uv + np.array([(x0 + x1) / 2, (z0 + z1) / 2]))
+    return (
+        box(material, (x1 - x0, y1 - y0, z1 - z0), 0.0, grain_shift=False)
+        .move((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2)
+        .map_uv(lambda uv: uv + np.array([(x0 + x1) / 2, (z0 + z1) / 2]))
+    )
 
 
 def ceiling(material: str, x0: float, x1: float, z0: float, z1: float) -> Mesh:
@@ -87,10 +102,26 @@ def slab(material: str, x0: float, x1: float, z0: float, z1: float, y0: float, y
 
 
 SKIRTING = [(0.0, 0.0), (0.0, 0.105), (0.004, 0.105), (0.010, 0.095), (0.0135, 0.080), (0.016, 0.072), (0.016, 0.0)]
-COVING = [(0.0, CEILING), (0.0, CEILING - 0.075), (0.012, CEILING - 0.070), (0.022, CEILING - 0.052), (0.040, CEILING - 0.030), (0.062, CEILING - 0.018), (0.072, CEILING - 0.008), (0.078, CEILING)]
+COVING = [
+    (0.0, CEILING),
+    (0.0, CEILING - 0.075),
+    (0.012, CEILING - 0.070),
+    (0.022, CEILING - 0.052),
+    (0.040, CEILING - 0.030),
+    (0.062, CEILING - 0.018),
+    (0.072, CEILING - 0.008),
+    (0.078, CEILING),
+]
 
 
-def trim(x0: float, x1: float, z0: float, z1: float, gaps: dict[str, Sequence[tuple[float, float]]], profile: Sequence[tuple[float, float]] = SKIRTING) -> Mesh:
+def trim(
+    x0: float,
+    x1: float,
+    z0: float,
+    z1: float,
+    gaps: dict[str, Sequence[tuple[float, float]]],
+    profile: Sequence[tuple[float, float]] = SKIRTING,
+) -> Mesh:
     """Moulding along the four walls of a room; gaps are intervals of x (walls north, south) or z (west, east)."""
     mesh = Mesh()
 
@@ -133,12 +164,19 @@ def casing(width: float, height: float, wall_thickness: float, material: str = "
 def _lever(material: str, side: float) -> Mesh:
     """A door handle on the face side * Z, its rose at the origin, pointing to -X."""
     rose = lathe(material, [(0, 0), (0.026, 0), (0.026, 0.006), (0.022, 0.009), (0, 0.009)], 24, 50).rotate("x", 90)
-    neck = tube(material, curve((0, 0, 0.006), (0, 0, 0.045), (-0.012, 0, 0.055), (-0.03, 0, 0.056), (-0.125, 0, 0.052), steps=4), 0.0085, 10)
+    neck = tube(
+        material,
+        curve((0, 0, 0.006), (0, 0, 0.045), (-0.012, 0, 0.055), (-0.03, 0, 0.056), (-0.125, 0, 0.052), steps=4),
+        0.0085,
+        10,
+    )
     both = union(rose, neck)
     return both if side > 0 else both.rotate("x", 180)
 
 
-def door_leaf(width: float, height: float, material: str = "white_lacquer", metal: str = "brass", panels: bool = True) -> Mesh:
+def door_leaf(
+    width: float, height: float, material: str = "white_lacquer", metal: str = "brass", panels: bool = True
+) -> Mesh:
     """A door whose hinge line is the Y axis; the leaf runs along +X, centred in z, and clears the floor by 8 mm."""
     w, h, t = width, height - 0.012, 0.040
     mesh = Mesh()
@@ -157,7 +195,9 @@ def door_leaf(width: float, height: float, material: str = "white_lacquer", meta
     return mesh
 
 
-def window(width: float, height: float, columns: int, glass: str = "glass", bar: float | None = None, sill: bool = True) -> Mesh:
+def window(
+    width: float, height: float, columns: int, glass: str = "glass", bar: float | None = None, sill: bool = True
+) -> Mesh:
     """A casement window centred in x and z with its lower edge at y = 0; inside is +Z. bar is the height of a transom."""
     f, d = 0.055, 0.070
     mesh = Mesh()
@@ -183,7 +223,14 @@ def window(width: float, height: float, columns: int, glass: str = "glass", bar:
         hx = cx + (w / 2 - s / 2) * (-1 if k % 2 else 1)
         hy = min(height * 0.45, 1.05)
         mesh.add(box_at("chrome", (0.026, 0.075, 0.008), hx, hy - 0.037, 0.045, 0.003))
-        mesh.add(tube("chrome", curve((hx, hy, 0.045), (hx, hy, 0.078), (hx, hy - 0.02, 0.086), (hx, hy - 0.11, 0.084), steps=4), 0.0075, 8))
+        mesh.add(
+            tube(
+                "chrome",
+                curve((hx, hy, 0.045), (hx, hy, 0.078), (hx, hy - 0.02, 0.086), (hx, hy - 0.11, 0.084), steps=4),
+                0.0075,
+                8,
+            )
+        )
     if sill:
         mesh.add(box_at("marble", (width + 0.10, 0.028, 0.30), 0, -0.028, 0.185, 0.006, 2))
         mesh.add(box_at("stone", (width + 0.06, 0.04, 0.20), 0, -0.045, -0.12, 0.004))
@@ -196,7 +243,10 @@ def sliding_window(width: float, height: float) -> Mesh:
     mesh = Mesh()
     for side in (-1, 1):
         mesh.add(box_at(material, (f, height, 0.14), side * (width - f) / 2, 0, 0, 0.003))
-    mesh.add(box_at(material, (width - 2 * f, f, 0.14), 0, height - f, 0, 0.003), box_at("steel", (width, 0.022, 0.15), 0, 0, 0, 0.003))
+    mesh.add(
+        box_at(material, (width - 2 * f, f, 0.14), 0, height - f, 0, 0.003),
+        box_at("steel", (width, 0.022, 0.15), 0, 0, 0, 0.003),
+    )
     leaf = width / 2
     for k, z in ((-1, -0.032), (1, 0.032)):
         cx = k * (leaf / 2 - f * 0.4)

@@ -27,7 +27,14 @@ class Maps:
     occlusion: Array | None = None
 
 
-def noise(size: int, seed: int, exponent: float = 2.0, stretch: tuple[float, float] = (1.0, 1.0), low: float = 1.0, high: float = 1e9) -> Array:
+def noise(
+    size: int,
+    seed: int,
+    exponent: float = 2.0,
+    stretch: tuple[float, float] = (1.0, 1.0),
+    low: float = 1.0,
+    high: float = 1e9,
+) -> Array:
     """Tileable noise with mean 0 and deviation 1: spectrum 1 / f^exponent between the frequencies low and high (cycles a tile).
 
     stretch multiplies the frequencies along x and y: (0.05, 1) makes streaks along x.
@@ -132,11 +139,24 @@ def plaster(size: int, seed: int, roughness: float = 0.85) -> Maps:
     """White painted plaster with the orange-peel of a roller."""
     fine = noise(size, seed, 0.6, low=30, high=180)
     slow = noise(size, seed + 1, 2.0, high=12)
-    return Maps(np.clip(plain(size, (0.93, 0.93, 0.925)) * (1 + 0.008 * slow + 0.004 * fine)[..., None], 0, 1), 0.05 * fine + 0.05 * slow, np.full((size, size), roughness))
+    return Maps(
+        np.clip(plain(size, (0.93, 0.93, 0.925)) * (1 + 0.008 * slow + 0.004 * fine)[..., None], 0, 1),
+        0.05 * fine + 0.05 * slow,
+        np.full((size, size), roughness),
+    )
 
 
 def tiles(
-    size: int, seed: int, nx: int, ny: int, grout: Colour, body: Array, gap: float = 0.012, offset: float = 0.0, variation: float = 0.03, gloss: float = 0.12
+    size: int,
+    seed: int,
+    nx: int,
+    ny: int,
+    grout: Colour,
+    body: Array,
+    gap: float = 0.012,
+    offset: float = 0.0,
+    variation: float = 0.03,
+    gloss: float = 0.12,
 ) -> Maps:
     """nx x ny tiles cut from the image `body`, with rounded edges and rough grout; offset shifts every second row (0.5 is a brick bond)."""
     random = np.random.default_rng(seed)
@@ -154,7 +174,9 @@ def tiles(
     mortar = np.asarray(grout) * (1 + 0.06 * grain)[..., None]
     colour = np.clip(mix(mortar, picked, inside), 0, 1)
     tilt = random.normal(size=(ny, nx, 2))[row, column] * 0.12
-    height = smoothstep(gap * 0.4, gap * 1.4, edge) * 1.0 + inside * (tilt[..., 0] * (u - 0.5) + tilt[..., 1] * (v - 0.5))
+    height = smoothstep(gap * 0.4, gap * 1.4, edge) * 1.0 + inside * (
+        tilt[..., 0] * (u - 0.5) + tilt[..., 1] * (v - 0.5)
+    )
     rough = 0.85 * (1 - inside) + inside * (gloss + 0.02 * grain)
     return Maps(colour, height + (1 - inside) * 0.04 * grain, np.clip(rough, 0.04, 1), occlusion=0.6 + 0.4 * inside)
 
@@ -173,7 +195,15 @@ def marble(size: int, seed: int, base: Colour, vein: Colour, gloss: float = 0.14
     return Maps(np.clip(colour, 0, 1), None, np.clip(gloss + 0.1 * total, 0.05, 1) * np.ones((size, size)))
 
 
-def weave(size: int, seed: int, colour: Colour, threads: int = 64, contrast: float = 0.35, slub: float = 0.5, second: Colour | None = None) -> Maps:
+def weave(
+    size: int,
+    seed: int,
+    colour: Colour,
+    threads: int = 64,
+    contrast: float = 0.35,
+    slub: float = 0.5,
+    second: Colour | None = None,
+) -> Maps:
     """Plain-woven cloth: warp over weft in a checkerboard, threads of uneven thickness and tone."""
     x, y = coordinates(size)
     jx = noise(size, seed, 1.5, (1.0, 0.1), high=40) * 0.0012
@@ -181,13 +211,23 @@ def weave(size: int, seed: int, colour: Colour, threads: int = 64, contrast: flo
     a, b = (x + jx) * threads, (y + jy) * threads
     over = (np.floor(a).astype(np.int64) + np.floor(b).astype(np.int64)) % 2
     profile_a, profile_b = np.sin(math.pi * (a % 1.0)), np.sin(math.pi * (b % 1.0))
-    bump = np.where(over == 0, profile_a * (0.55 + 0.45 * np.sin(math.pi * (b % 1.0))), profile_b * (0.55 + 0.45 * np.sin(math.pi * (a % 1.0))))
+    bump = np.where(
+        over == 0,
+        profile_a * (0.55 + 0.45 * np.sin(math.pi * (b % 1.0))),
+        profile_b * (0.55 + 0.45 * np.sin(math.pi * (a % 1.0))),
+    )
     warp = noise(size, seed + 2, 0.6, (1.0, 0.02), low=4)
     weft = noise(size, seed + 3, 0.6, (0.02, 1.0), low=4)
     tone = 1 + 0.07 * slub * np.where(over == 0, warp, weft) + 0.03 * noise(size, seed + 4, 0.3, low=30)
     tone = tone * (1 - contrast + contrast * bump)
-    tint = plain(size, colour) if second is None else np.where((over == 0)[..., None], np.asarray(colour), np.asarray(second))
-    return Maps(np.clip(tint * tone[..., None], 0, 1), bump * 0.35, np.full((size, size), 0.92), occlusion=0.55 + 0.45 * bump)
+    tint = (
+        plain(size, colour)
+        if second is None
+        else np.where((over == 0)[..., None], np.asarray(colour), np.asarray(second))
+    )
+    return Maps(
+        np.clip(tint * tone[..., None], 0, 1), bump * 0.35, np.full((size, size), 0.92), occlusion=0.55 + 0.45 * bump
+    )
 
 
 def boucle(size: int, seed: int, colour: Colour) -> Maps:
@@ -196,7 +236,12 @@ def boucle(size: int, seed: int, colour: Colour) -> Maps:
     b = noise(size, seed + 1, 0.3, low=60, high=130)
     height = smoothstep(-1.6, 1.6, a * 0.75 + b * 0.45)
     tone = 0.62 + 0.4 * height + 0.02 * noise(size, seed + 2, 1.0)
-    return Maps(np.clip(plain(size, colour) * tone[..., None], 0, 1), height * 0.9, np.full((size, size), 0.97), occlusion=0.5 + 0.5 * height)
+    return Maps(
+        np.clip(plain(size, colour) * tone[..., None], 0, 1),
+        height * 0.9,
+        np.full((size, size), 0.97),
+        occlusion=0.5 + 0.5 * height,
+    )
 
 
 def leather(size: int, seed: int, colour: Colour) -> Maps:
@@ -213,10 +258,17 @@ def brushed(size: int, seed: int, colour: Colour, roughness: float = 0.3) -> Map
     """Brushed metal, brushed along x."""
     streak = noise(size, seed, 0.3, (0.01, 1.0), low=4)
     slow = noise(size, seed + 1, 2.0, high=6)
-    return Maps(np.clip(plain(size, colour) * (1 + 0.015 * streak)[..., None], 0, 1), 0.006 * streak, np.clip(roughness + 0.05 * streak + 0.02 * slow, 0.05, 1), metallic=1.0)
+    return Maps(
+        np.clip(plain(size, colour) * (1 + 0.015 * streak)[..., None], 0, 1),
+        0.006 * streak,
+        np.clip(roughness + 0.05 * streak + 0.02 * slow, 0.05, 1),
+        metallic=1.0,
+    )
 
 
-def speckle(size: int, seed: int, colour: Colour, spot: Colour, amount: float = 0.5, roughness: float = 0.6, bump: float = 0.1) -> Maps:
+def speckle(
+    size: int, seed: int, colour: Colour, spot: Colour, amount: float = 0.5, roughness: float = 0.6, bump: float = 0.1
+) -> Maps:
     """A plain colour with soft spots: fruit, stone, soil, cork."""
     n = noise(size, seed, 0.8, low=6, high=90)
     slow = noise(size, seed + 1, 2.0, high=10)

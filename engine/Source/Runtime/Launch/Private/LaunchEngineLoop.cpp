@@ -125,7 +125,7 @@ int32 FEngineLoop::PreInit(const FLaunchOptions& Options) {
         if (Plugin.bEnabledByDefault || EnabledPlugins.Contains(ToFString(Plugin.Name))) {
             FModuleManager::Get().AddBinariesDirectory(
                 *FPaths::Combine(ToFString(Plugin.Directory), TEXT("Binaries/Linux")), false);
-            Plugins.Add(std::move(Plugin));
+            Plugins.push_back(std::move(Plugin));
         }
     }
     for (const std::string& Error : Errors) {

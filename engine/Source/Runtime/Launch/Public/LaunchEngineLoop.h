@@ -5,6 +5,8 @@
 #include "CoreMinimal.h"
 #include "Engine/Engine.h"
 
+#include <vector>
+
 struct FLaunchOptions;
 struct FPluginDescriptor;
 
@@ -37,7 +39,7 @@ private:
     void PrintScene() const;
 
     TUniquePtr<FLaunchOptions> LaunchOptions;
-    TArray<FPluginDescriptor> Plugins;
+    std::vector<FPluginDescriptor> Plugins; // not a TArray: it moves elements bitwise, which std::string does not survive
     uint64 FramesToGo;
     bool bLimitFrames;
 };

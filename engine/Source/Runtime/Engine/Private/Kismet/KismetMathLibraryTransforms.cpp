@@ -97,4 +97,6 @@ FBox UKismetMathLibrary::MakeBoxWithOrigin(const FVector& Origin, const FVector&
 
 bool UKismetMathLibrary::Box_IsPointInside(const FBox& Box, const FVector& Point) { return Box.IsInside(Point); }
 
+bool UKismetMathLibrary::IsPointInBox_Box(FVector Point, FBox Box) { return Box.IsInsideOrOn(Point); }
+
 bool UKismetMathLibrary::Box_Intersects(const FBox& A, const FBox& B) { return A.Intersect(B); }

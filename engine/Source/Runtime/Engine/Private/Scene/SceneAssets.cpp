@@ -154,7 +154,7 @@ bool FSceneAssets::BuildMaterials(FString& OutError) {
         Scalar(TEXT("Specular"), Source.Specular);
         Scalar(TEXT("NormalScale"), Source.NormalScale);
         Scalar(TEXT("OcclusionStrength"), Source.OcclusionTexture >= 0 ? Source.OcclusionStrength : 0.0);
-        const auto AddTexture = [&TextureValues, &OutError](const TCHAR* Name, UTexture2D* Value) {
+        const auto AddTexture = [&TextureValues](const TCHAR* Name, UTexture2D* Value) {
             TextureValues.Add(FTextureParameterValue(FMaterialParameterInfo(Name), Value));
             return Value != nullptr;
         };

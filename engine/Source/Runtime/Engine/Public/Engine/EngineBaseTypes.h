@@ -111,7 +111,7 @@ struct FTickPrerequisite {
  * https://dev.epicgames.com/documentation/en-us/unreal-engine/API/Runtime/Engine/Engine/FTickFunction
  */
 USTRUCT()
-struct FTickFunction {
+struct ENGINE_API FTickFunction {
     GENERATED_BODY()
 
 public:
@@ -155,44 +155,44 @@ public:
     UPROPERTY(EditDefaultsOnly, Category = "Tick", meta = (DisplayName = "Tick Interval (secs)"))
     float TickInterval;
 
-    ENGINE_API FTickFunction();
+    FTickFunction();
     /** A tick function belongs to one object: a copy takes the settings (defaults), not the registration. */
-    ENGINE_API FTickFunction(const FTickFunction& Other);
-    ENGINE_API FTickFunction& operator=(const FTickFunction& Other);
+    FTickFunction(const FTickFunction& Other);
+    FTickFunction& operator=(const FTickFunction& Other);
     /** Unregisters. */
-    ENGINE_API virtual ~FTickFunction();
+    virtual ~FTickFunction();
 
     /** Adds the tick function to the list of tick functions of the world of the level. @param Level the level that owns
      * the ticking object. */
-    ENGINE_API void RegisterTickFunction(ULevel* Level);
+    void RegisterTickFunction(ULevel* Level);
     /** Removes the tick function from the list of tick functions. */
-    ENGINE_API void UnRegisterTickFunction();
+    void UnRegisterTickFunction();
     /** See if the tick function is currently registered. */
     bool IsTickFunctionRegistered() const { return bRegistered; }
 
     /** Enables or disables this tick function. @param bInEnabled whether it should be enabled. */
-    ENGINE_API void SetTickFunctionEnable(bool bInEnabled);
+    void SetTickFunctionEnable(bool bInEnabled);
     /** Returns whether the tick function is currently enabled. */
     bool IsTickFunctionEnabled() const { return bTickEnabled; }
 
     /** Update tick interval in the system and overwrite the current cooldown if any, so that the next tick is
      * NewTickInterval seconds after the last. */
-    ENGINE_API void UpdateTickIntervalAndCoolDown(float NewTickInterval);
+    void UpdateTickIntervalAndCoolDown(float NewTickInterval);
 
     /**
      * Adds a tick function to the list of prerequisites: it will have run in this frame before this one does.
      * @param TargetObject object that holds the prerequisite tick function.
      * @param TargetTickFunction the tick function to use as a prerequisite.
      */
-    ENGINE_API void AddPrerequisite(UObject* TargetObject, FTickFunction& TargetTickFunction);
+    void AddPrerequisite(UObject* TargetObject, FTickFunction& TargetTickFunction);
     /** Removes a prerequisite that was previously added. */
-    ENGINE_API void RemovePrerequisite(UObject* TargetObject, FTickFunction& TargetTickFunction);
+    void RemovePrerequisite(UObject* TargetObject, FTickFunction& TargetTickFunction);
     /** The prerequisites of this tick function. */
     TArray<FTickPrerequisite>& GetPrerequisites() { return Prerequisites; }
     const TArray<FTickPrerequisite>& GetPrerequisites() const { return Prerequisites; }
 
     /** Sets this function and all its prerequisites to high priority, or not. */
-    ENGINE_API void SetPriorityIncludingPrerequisites(bool bInHighPriority);
+    void SetPriorityIncludingPrerequisites(bool bInHighPriority);
 
     /** The group this function ran in, or will run in, in the current frame (TickGroup, or a later one of a
      * prerequisite). */
@@ -243,16 +243,16 @@ struct TStructOpsTypeTraits<FTickFunction> : public TStructOpsTypeTraitsBase2<FT
 
 /** Tick function that calls AActor::TickActor. */
 USTRUCT()
-struct FActorTickFunction : public FTickFunction {
+struct ENGINE_API FActorTickFunction : public FTickFunction {
     GENERATED_BODY()
 
     /** AActor that is the target of this tick. */
     AActor* Target = nullptr;
 
-    ENGINE_API virtual void ExecuteTick(float DeltaTime, ELevelTick TickType, ENamedThreads::Type CurrentThread,
+    virtual void ExecuteTick(float DeltaTime, ELevelTick TickType, ENamedThreads::Type CurrentThread,
         const FGraphEventRef& MyCompletionGraphEvent) override;
-    ENGINE_API virtual FString DiagnosticMessage() override;
-    ENGINE_API virtual FName DiagnosticContext(bool bDetailed) override;
+    virtual FString DiagnosticMessage() override;
+    virtual FName DiagnosticContext(bool bDetailed) override;
 };
 
 template <>
@@ -262,16 +262,16 @@ struct TStructOpsTypeTraits<FActorTickFunction> : public TStructOpsTypeTraitsBas
 
 /** Tick function that calls UActorComponent::TickComponent. */
 USTRUCT()
-struct FActorComponentTickFunction : public FTickFunction {
+struct ENGINE_API FActorComponentTickFunction : public FTickFunction {
     GENERATED_BODY()
 
     /** Actor component that is the target of this tick. */
     UActorComponent* Target = nullptr;
 
-    ENGINE_API virtual void ExecuteTick(float DeltaTime, ELevelTick TickType, ENamedThreads::Type CurrentThread,
+    virtual void ExecuteTick(float DeltaTime, ELevelTick TickType, ENamedThreads::Type CurrentThread,
         const FGraphEventRef& MyCompletionGraphEvent) override;
-    ENGINE_API virtual FString DiagnosticMessage() override;
-    ENGINE_API virtual FName DiagnosticContext(bool bDetailed) override;
+    virtual FString DiagnosticMessage() override;
+    virtual FName DiagnosticContext(bool bDetailed) override;
 };
 
 template <>
@@ -285,7 +285,7 @@ struct TStructOpsTypeTraits<FActorComponentTickFunction>
  * always empty.
  */
 USTRUCT()
-struct FURL {
+struct ENGINE_API FURL {
     GENERATED_BODY()
 
     /** Protocol, i.e. "unreal" or "http". */
@@ -320,28 +320,28 @@ struct FURL {
     UPROPERTY()
     FString Portal;
 
-    ENGINE_API FURL();
+    FURL();
     /**
      * Parses a URL.
      * @param Base the URL that a relative one starts from, or null.
      * @param TextURL the text, e.g. "/Game/Scenes/apartment?game=/Script/Engine.GameModeBase".
      * @param Type how TextURL relates to Base.
      */
-    ENGINE_API FURL(FURL* Base, const TCHAR* TextURL, ETravelType Type);
+    FURL(FURL* Base, const TCHAR* TextURL, ETravelType Type);
 
     /** Whether the option is there, e.g. HasOption(TEXT("game")); names compare without case. */
-    ENGINE_API bool HasOption(const TCHAR* Test) const;
+    bool HasOption(const TCHAR* Test) const;
     /** Value of the option "Match" (with its "=": GetOption(TEXT("game="), Default)), or Default when it is not there.
      */
-    ENGINE_API const TCHAR* GetOption(const TCHAR* Match, const TCHAR* Default) const;
+    const TCHAR* GetOption(const TCHAR* Match, const TCHAR* Default) const;
     /** Adds or replaces an option "Name=Value". */
-    ENGINE_API void AddOption(const TCHAR* Str);
+    void AddOption(const TCHAR* Str);
     /** Removes an option by its name (with or without "="). */
-    ENGINE_API void RemoveOption(const TCHAR* Key);
+    void RemoveOption(const TCHAR* Key);
     /** The URL as text. */
-    ENGINE_API FString ToString(bool FullyQualified = false) const;
+    FString ToString(bool FullyQualified = false) const;
     /** Options as one text: "?A=1?B". */
-    ENGINE_API FString OptionsToString() const;
+    FString OptionsToString() const;
 
-    ENGINE_API bool operator==(const FURL& Other) const;
+    bool operator==(const FURL& Other) const;
 };

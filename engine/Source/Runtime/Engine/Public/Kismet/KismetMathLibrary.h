@@ -1913,14 +1913,18 @@ public:
     UFUNCTION(BlueprintPure, meta = (DisplayName = "Make Box with Origin"), Category = "Math|Box")
     static FBox MakeBoxWithOrigin(const FVector& Origin, const FVector& Extent);
 
-    /** Checks whether the given location is inside this box. The faces do not count. */
-    UFUNCTION(BlueprintPure, meta = (DisplayName = "Is Point Inside (Box)", ScriptMethod = "IsPointInside"),
-        Category = "Math|Box")
+    /**
+     * Checks whether the given location is inside this box. Points on the border do not count, see IsPointInBox_Box.
+     */
+    UFUNCTION(BlueprintPure, meta = (DisplayName = "Is Vector Inside (Box)"), Category = "Math|Box")
     static bool Box_IsPointInside(const FBox& Box, const FVector& Point);
 
-    /** Checks whether the given bounding box intersects this one. */
-    UFUNCTION(
-        BlueprintPure, meta = (DisplayName = "Intersects (Box)", ScriptMethod = "Intersects"), Category = "Math|Box")
+    /** Determines whether the given point is in a box. Includes points on the box. */
+    UFUNCTION(BlueprintPure, meta = (DisplayName = "Is Point In Box (Box)"), Category = "Math|Geometry")
+    static bool IsPointInBox_Box(FVector Point, FBox Box);
+
+    /** Checks whether bounding box A intersects bounding box B. Boxes that touch do. */
+    UFUNCTION(BlueprintPure, meta = (DisplayName = "Intersects (Box)"), Category = "Math|Box")
     static bool Box_Intersects(const FBox& A, const FBox& B);
 
     // ----------------------------------------------------------------------------------------- Linear colour functions
