@@ -105,7 +105,7 @@ TEST_CASE("G4: opening a block holds nothing; its first synchronous operation do
     {
         auto frame = client.instance.end_frame();
         const auto future = client.game.async().get_class("AActor");
-        CHECK(future.get().class_name() == "Class"); // get() of a future of this block holds as well
+        CHECK(future.get().class_name() == "UClass"); // get() of a future of this block holds as well
         CHECK_FALSE(client.frames_go_on());
         frame.execute();
     }

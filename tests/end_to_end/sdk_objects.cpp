@@ -19,8 +19,9 @@ struct SetActorLocationResult {
     bool ReturnValue = false;
     HitResult SweepHitResult;
 };
-struct Bounds {
-    FVector Origin, BoxExtent;
+struct EyesViewPoint {
+    FVector OutLocation;
+    FRotator OutRotation;
 };
 
 /// What a generated proxy looks like.
@@ -45,10 +46,13 @@ struct spear::Members<SetActorLocationResult> {
         Member{"SweepHitResult", &SetActorLocationResult::SweepHitResult}};
 };
 template <>
-struct spear::Members<Bounds> {
-    static constexpr std::string_view name = "Bounds";
-    static constexpr auto list = std::tuple{Member{"Origin", &Bounds::Origin}, Member{"BoxExtent", &Bounds::BoxExtent}};
+struct spear::Members<EyesViewPoint> {
+    static constexpr std::string_view name = "EyesViewPoint";
+    static constexpr auto list = std::tuple{
+        Member{"OutLocation", &EyesViewPoint::OutLocation}, Member{"OutRotation", &EyesViewPoint::OutRotation}};
 };
+}
+;
 
 TEST_CASE("spawning, finding, destroying") {
     Client client;
@@ -108,10 +112,14 @@ TEST_CASE("calls: positional and named arguments, defaults, out-parameters, stat
         CHECK_FALSE(moved.SweepHitResult.bBlockingHit);
         CHECK(actor.call<FVector>("k2_getactorlocation") == FVector{5, 0, 0}); // without case
         CHECK(actor.call<FVector>("GetActorLocation") == FVector{5, 0, 0});    // alias
-        CHECK(actor.call<Bounds>("GetActorBounds", false).Origin.X ==
-              doctest::Approx(5)); // bIncludeFromChildActors has a default
-        const spear::Value raw = actor.call("GetActorBounds", arg("bOnlyCollidingComponents", false));
-        CHECK(raw["Origin"]["X"].as<double>() == doctest::Approx(5));
+        CHECK(actor.call<EyesViewPoint>("GetActorEyesViewPoint").OutLocation == FVector{5, 0, 0});
+        CHECK(actor.call("GetActorEyesViewPoint")["OutLocation"]["X"].as<double>() == 5);
+        CHECK(actor.call<bool>("K2_TeleportTo", FVector{6, 0, 0}, FRotator{}));
+        CHECK(actor.call<bool>(
+            "K2_SetActorLocation", FVector{5, 0, 0}, false, arg("bTeleport", true))); // the return value only
+        CHECK(actor.call<bool>("ActorHasTag", "x") == false);
+        CHECK(actor.call<spear::Value>("GetActorBounds", false)["BoxExtent"].as<FVector>() ==
+              FVector{}); // the last parameter has a default
         actor.call(
             "SetActorScale3D", spear::Value(spear::Value::Dict{{"X", 2}, {"Y", 3}, {"Z", 4}})); // a struct as a dict
         CHECK(actor.call<FVector>("GetActorScale3D") == FVector{2, 3, 4});
@@ -186,10 +194,13 @@ TEST_CASE("errors name what was asked, what was found, and what is near") {
 TEST_CASE("integers outside the range of a property are refused") {
     Client client;
     client.transact([&] {
-        const spear::Object actor = client.spawn();
-        CHECK_THROWS_AS(actor["InputPriority"].set(std::int64_t{1} << 40), spear::OutOfRange);
-        actor["InputPriority"].set(-7);
-        CHECK(actor["InputPriority"].get<std::int32_t>() == -7);
+        const spear::Object actor = client.game.spawn_actor("AStaticMeshActor");
+        const spear::Property stencil = actor["StaticMeshComponent"]["CustomDepthStencilValue"];
+        CHECK_THROWS_AS(stencil.set(std::int64_t{1} << 40), spear::OutOfRange);
+        CHECK_THROWS_AS(stencil.set(1.5), spear::WrongType);
+        stencil.set(-7);
+        CHECK(stencil.get<std::int32_t>() == -7);
+        CHECK_THROWS_AS(stencil.get<std::uint8_t>(), spear::OutOfRange);
         client.game.destroy_actor(actor);
     });
 }

@@ -381,6 +381,7 @@ TEST_CASE("two clients: one transaction of each in a frame; while one holds, the
         auto other = second.instance.begin_frame();
         const auto ran = second.game.async().find_actors_by_class("AActor");
         other.execute();
+        std::this_thread::sleep_for(100ms); // two connections: nothing else orders the messages
         block.execute();
         frame = frame_of(ran);
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Class default objects, construction, names, paths, subobjects, copies.
-#include "UObject/ContentLoader.h"
 #include "coreuobject_fixture.h"
+
+#include "UObject/ContentLoader.h"
 
 using namespace reflection_test;
 

@@ -3,7 +3,8 @@
 
     python tools/make_apartment --output <folder> [--workers N]
 
-writes <folder>/Scenes/apartment/{apartment.gltf, apartment.bin, apartment.scene.json, textures/*.jpg}, byte for byte the same each time.
+writes <folder>/Scenes/apartment/{apartment.gltf, apartment.bin, apartment.scene.json, textures/*.jpg}, byte for byte
+the same each time.
 """
 
 from __future__ import annotations

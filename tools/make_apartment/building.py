@@ -62,7 +62,8 @@ DOOR_TOP = 2.10
 
 @dataclass(frozen=True)
 class Hole:
-    """An opening in building coordinates: from a to b along the wall, bottom to top; kind is door, opening, window, terrace or entrance."""
+    """An opening in building coordinates: from a to b along the wall, bottom to top; kind is door, opening, window,
+    terrace or entrance."""
 
     a: float
     b: float
@@ -123,7 +124,7 @@ def build(scene: Scene) -> None:
         for hole in holes:
             _fill(scene, hole, thickness, ((hole.a + hole.b) / 2, z), 0.0)
     for x, thickness, z0, z1, west, east, holes in WALLS_Z:
-        # Local +X of the wall runs towards -Z, so that its front (+Z) looks to the west... turned by +90 degrees it looks to the east.
+        # Turned by +90 degrees the wall runs towards -Z and its front (+Z) looks to the east.
         openings = [Opening(z1 - h.b, z1 - h.a, h.bottom, h.top) for h in holes]
         scene.room = ""
         scene.add(

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from furniture_common import bar_handle, box_at, panel_front
+from furniture_common import bar_handle, box_at
 from geometry import Array, Mesh, box, curve, cylinder, lathe, quad, sphere, surface, tube, union
 
 
@@ -128,7 +128,7 @@ def toilet() -> Mesh:
             r = (p - centre) * (1 + grow)
             t = inner + (1 - inner) * np.clip(v * 1.2, 0, 1)
             drop = np.clip(v * 1.2 - 1, 0, 1) * 0.09
-            q = centre + r * t[:, None]
+            q: Array = centre + r * t[:, None]
             q[:, 1] = y - drop
             return q
 

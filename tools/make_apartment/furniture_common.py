@@ -48,9 +48,24 @@ def turned_leg(material: str, height: float, radius: float) -> Mesh:
     """A lathe-turned table leg with a foot, rings and a square block at the top."""
     h, r = height - 0.11, radius
     profile = [
-        (0, 0), (r * 0.42, 0), (r * 0.55, 0.015), (r * 0.5, 0.04), (r * 0.36, 0.05), (r * 0.42, 0.10), (r * 0.62, h * 0.45), (r * 0.72, h * 0.70),
-        (r * 0.60, h * 0.80), (r * 0.42, h * 0.85), (r * 0.66, h * 0.88), (r * 0.72, h * 0.905), (r * 0.62, h * 0.93), (r * 0.46, h * 0.95), (r * 0.8, h * 0.985), (r * 0.8, h), (0, h),
-    ]  # fmt: skip
+        (0, 0),
+        (r * 0.42, 0),
+        (r * 0.55, 0.015),
+        (r * 0.5, 0.04),
+        (r * 0.36, 0.05),
+        (r * 0.42, 0.10),
+        (r * 0.62, h * 0.45),
+        (r * 0.72, h * 0.70),
+        (r * 0.60, h * 0.80),
+        (r * 0.42, h * 0.85),
+        (r * 0.66, h * 0.88),
+        (r * 0.72, h * 0.905),
+        (r * 0.62, h * 0.93),
+        (r * 0.46, h * 0.95),
+        (r * 0.8, h * 0.985),
+        (r * 0.8, h),
+        (0, h),
+    ]
     leg = lathe(material, profile, 18, 60)
     leg.map_uv(lambda uv: uv[:, ::-1].copy())
     return leg.add(box_at(material, (2 * r * 0.86, 0.11, 2 * r * 0.86), 0, h, 0, 0.005, 1, "y"))
@@ -106,10 +121,10 @@ def book(width: float, height: float, depth: float, cell: int) -> Mesh:
     cover.add(box_at("books", (width, height, t), 0, 0, depth / 2 - t / 2, 0.0008, 1))
     u0, u1 = (cell + 0.04) / BOOK_CELLS, (cell + 0.96) / BOOK_CELLS
     for part in cover.parts:
-        x, y = part.positions[:, 0] / width + 0.5, part.positions[:, 1] / height
+        across, up = part.positions[:, 0] / width + 0.5, part.positions[:, 1] / height
         spine = np.abs(part.normals[:, 2]) > 0.5
-        u = np.where(spine, u0 + (u1 - u0) * np.clip(x, 0, 1), u0 + 0.02)
-        part.uv = np.stack([u, np.where(spine, 1 - np.clip(y, 0.0, 1.0), 0.75)], 1)
+        u = np.where(spine, u0 + (u1 - u0) * np.clip(across, 0, 1), u0 + 0.02)
+        part.uv = np.stack([u, np.where(spine, 1 - np.clip(up, 0.0, 1.0), 0.75)], 1)
     pages = box_at("paper", (width - 2 * t, height - 0.006, depth - 0.006), 0, 0.003, -0.001, 0.0)
     return cover.add(pages)
 
@@ -117,7 +132,8 @@ def book(width: float, height: float, depth: float, cell: int) -> Mesh:
 def book_row(
     length: float, seed: int, heights: tuple[float, float] = (0.17, 0.25), depth: float = 0.15, lean: bool = True
 ) -> Mesh:
-    """Books side by side along X from 0 to at most `length`, spines to +Z at z = 0; the last one leans on the others."""
+    """Books side by side along X from 0 to at most `length`, spines to +Z at z = 0; the last one leans on the
+    others."""
     random = np.random.default_rng(seed)
     mesh = Mesh()
     x = 0.0

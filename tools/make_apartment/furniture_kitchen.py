@@ -128,7 +128,7 @@ def hob() -> Mesh:
     mesh = box_at("screen_off", (0.58, 0.006, 0.50), 0, 0, 0, 0.002)
     for x, z, r in ((-0.15, -0.12, 0.09), (0.15, -0.12, 0.075), (-0.15, 0.12, 0.075), (0.15, 0.12, 0.10)):
         for q in (r, r * 0.62):
-            mesh.add(lathe("plastic_grey", [(q, 0.0063), (q - 0.003, 0.0066)], 36))
+            mesh.add(lathe("plastic_grey", [(q, 0.0063), (q - 0.003, 0.0066)], 36).move(x, 0, z))
     return mesh
 
 

@@ -226,10 +226,12 @@ def cork_board(width: float, height: float, seed: int) -> Mesh:
         tilt = float(random.normal() * 4)
         note = surface(
             material,
-            lambda u, v, w=w, h=h: np.stack([(u - 0.5) * w, (v - 1.0) * h, 0.014 + 0.010 * (1 - v) ** 2], 1),
+            lambda u, v, w=w, h=h: np.stack(  # type: ignore[misc]
+                [(u - 0.5) * w, (v - 1.0) * h, 0.014 + 0.010 * (1 - v) ** 2], 1
+            ),
             5,
             3,
-        )  # type: ignore[misc]
+        )
         mesh.add(
             union(note, sphere("plastic_red" if k % 2 else "ceramic_blue", 0.006, 10).move(0, -0.012, 0.019))
             .rotate("z", tilt)
@@ -448,9 +450,11 @@ def teddy(seed: int = 3) -> Mesh:
     """A small sitting bear."""
     m = "boucle_cream"
     mesh = union(
-        sphere(m, 0.085, 20, 1.1).move(0, 0.095, 0), sphere(m, 0.065, 20).move(0, 0.225, 0.01), sphere(m, 0.028, 14, 0.8).move(0, 0.212, 0.062),
+        sphere(m, 0.085, 20, 1.1).move(0, 0.095, 0),
+        sphere(m, 0.065, 20).move(0, 0.225, 0.01),
+        sphere(m, 0.028, 14, 0.8).move(0, 0.212, 0.062),
         sphere("rubber", 0.008, 10).move(0, 0.222, 0.088),
-    )  # fmt: skip
+    )
     for s in (-1, 1):
         mesh.add(
             sphere(m, 0.024, 12).move(s * 0.048, 0.278, 0.005), sphere("rubber", 0.006, 8).move(s * 0.024, 0.242, 0.066)

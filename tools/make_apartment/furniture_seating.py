@@ -273,7 +273,8 @@ def bed(width: float, length: float) -> Mesh:
 
 
 def duvet(width: float, length: float, fabric: str, seed: int, rows: int = 52) -> Mesh:
-    """A duvet over a mattress whose top is y = 0: it covers z from -length/2 on, hangs over both sides, and is thrown into folds."""
+    """A duvet over a mattress whose top is y = 0: it covers z from -length/2 on, hangs over both sides, and is thrown
+    into folds."""
     overhang = 0.30
     top = width / 2 + 0.015
 

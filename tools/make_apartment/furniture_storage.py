@@ -62,9 +62,9 @@ def dining_table(length: float, width: float) -> Mesh:
         w = width / planks
         mesh.add(
             board("oak", (w - 0.0015, 0.032, length), -width / 2 + (k + 0.5) * w, 0.718, 0, 0.004).map_uv(
-                lambda uv, k=k: uv + np.array([k * 0.37, k * 0.21])
+                lambda uv, k=k: uv + np.array([k * 0.37, k * 0.21])  # type: ignore[misc]
             )
-        )  # type: ignore[misc]
+        )
     for x in (-width / 2 + 0.075, width / 2 - 0.075):
         for z in (-length / 2 + 0.085, length / 2 - 0.085):
             mesh.add(turned_leg("oak", 0.718, 0.047).move(x, 0, z))

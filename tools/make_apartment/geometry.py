@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Triangle meshes from numpy: bevelled boxes, lathes, tubes, cloth and other surfaces, all in metres and Y up.
 
-A `Part` is a run of triangles of one material, a `Mesh` a list of parts. Texture coordinates are in metres on the surface (the material divides
-them by the size of its tile), unless a builder says that they run from 0 to 1. Triangles are counter-clockwise seen from outside, as in glTF.
+A `Part` is a run of triangles of one material, a `Mesh` a list of parts. Texture coordinates are in metres on the
+surface (the material divides them by the size of its tile), unless a builder says that they run from 0 to 1.
+Triangles are counter-clockwise seen from outside, as in glTF.
 """
 
 from __future__ import annotations
@@ -124,7 +125,8 @@ def normalize(vectors: Array) -> Array:
 
 
 def smooth_normals(positions: Array, triangles: NDArray[np.int64], guide: Array | None = None) -> Array:
-    """Area-weighted vertex normals; vertices at one place share one, unless `guide` says they were meant to differ by over 60 degrees."""
+    """Area-weighted vertex normals; vertices at one place share one, unless `guide` says they were meant to differ by
+    over 60 degrees."""
     a, b, c = (positions[triangles[:, k]] for k in range(3))
     face = np.cross(b - a, c - a)
     keys = np.round(positions * 20000).astype(np.int64)
@@ -152,7 +154,8 @@ def grid_triangles(rows: int, columns: int) -> NDArray[np.int64]:
 
 
 def box_uv(positions: Array, axis: int, grain: int) -> Array:
-    """Planar coordinates in metres on faces whose normal is along `axis`; U runs along the axis `grain` where the face has it."""
+    """Planar coordinates in metres on faces whose normal is along `axis`; U runs along the axis `grain` where the
+    face has it."""
     others = [k for k in range(3) if k != axis]
     u = grain if grain in others else next(k for k in others if k != 1)
     v = next(k for k in others if k != u)
@@ -170,7 +173,8 @@ def box(
 ) -> Mesh:
     """A box of the given size centred at the origin with rounded edges.
 
-    radius 0 gives sharp edges (24 vertices); segments is the number of steps of each half edge; flat adds that many vertices
+    radius 0 gives sharp edges (24 vertices); segments is the number of steps of each half edge; flat adds that many
+    vertices
     inside each flat side, for displacement.
     """
     half = np.array(size, dtype=float) / 2
@@ -237,7 +241,7 @@ def soft_box(
     def bulge(positions: Array, normals: Array) -> Array:
         q = positions / half
         weight = np.prod(np.clip(1 - q**2 * (1 - np.abs(normals)), 0, 1), axis=1)
-        moved = positions + normals * (puff * weight)[:, None]
+        moved: Array = positions + normals * (puff * weight)[:, None]
         if wrinkle:
             moved = moved + normals * (wrinkle * waves(positions, 9.0, seed))[:, None]
         return moved
@@ -273,8 +277,8 @@ def surface(
 
     uv_scale gives the metres that u and v run over; None leaves texture coordinates from 0 to 1.
     """
-    u, v = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, rows))
-    u, v = u.reshape(-1), v.reshape(-1)
+    grid_u, grid_v = np.meshgrid(np.linspace(0, 1, columns), np.linspace(0, 1, rows))
+    u, v = grid_u.reshape(-1), grid_v.reshape(-1)
     positions = function(u, v)
     triangles = grid_triangles(rows, columns)
     if flip:
@@ -440,7 +444,8 @@ def quad(material: str, width: float, height: float, unit_uv: bool = True) -> Me
 
 
 def sweep(material: str, profile: Iterable[tuple[float, float]], length: float) -> Mesh:
-    """A flat-shaded profile in (z, y), counter-clockwise seen from +X, drawn out along X from 0 to length, with both ends closed."""
+    """A flat-shaded profile in (z, y), counter-clockwise seen from +X, drawn out along X from 0 to length, with both
+    ends closed."""
     points = np.array(list(profile), dtype=float)
     parts = []
     n = len(points)

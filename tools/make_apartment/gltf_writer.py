@@ -32,7 +32,8 @@ def normal_map(height: Array, metres: float, size: int) -> Array:
     dx = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * scale
     dy = (np.roll(height, -1, 0) - np.roll(height, 1, 0)) * scale
     n = np.stack([-dx, dy, np.ones_like(dx)], -1)
-    return n / np.linalg.norm(n, axis=-1, keepdims=True) * 0.5 + 0.5
+    unit: Array = n / np.linalg.norm(n, axis=-1, keepdims=True)
+    return unit * 0.5 + 0.5
 
 
 def jpeg(image: Array, quality: int) -> bytes:

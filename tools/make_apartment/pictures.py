@@ -180,9 +180,15 @@ def book_spines(size: int, seed: int) -> Maps:
     random = np.random.default_rng(seed)
     x, y = coordinates(size)
     palette: list[Colour] = [
-        (0.55, 0.16, 0.13), (0.13, 0.24, 0.38), (0.17, 0.33, 0.25), (0.80, 0.70, 0.50),
-        (0.22, 0.20, 0.22), (0.74, 0.46, 0.18), (0.85, 0.82, 0.75), (0.40, 0.24, 0.36),
-    ]  # fmt: skip
+        (0.55, 0.16, 0.13),
+        (0.13, 0.24, 0.38),
+        (0.17, 0.33, 0.25),
+        (0.80, 0.70, 0.50),
+        (0.22, 0.20, 0.22),
+        (0.74, 0.46, 0.18),
+        (0.85, 0.82, 0.75),
+        (0.40, 0.24, 0.36),
+    ]
     image = np.zeros((size, size, 3))
     for k in range(BOOK_CELLS):
         local = x * BOOK_CELLS - k

@@ -9,9 +9,29 @@ import furniture_kitchen as kitchen
 import furniture_office as office
 from building import ROOMS
 from furniture_common import (
-    book_row, book_stack, bottle, bowl, box_at, curtain, curtain_rod, cushion, fern, fiddle_plant, floor_lamp, flush_lamp, mug, pendant, picture, plant_pot,
-    plate, snake_plant, table_lamp, trailing_plant, vase, wine_glass,
-)  # fmt: skip
+    book_row,
+    book_stack,
+    bottle,
+    bowl,
+    box_at,
+    curtain,
+    curtain_rod,
+    cushion,
+    fern,
+    fiddle_plant,
+    floor_lamp,
+    flush_lamp,
+    mug,
+    pendant,
+    picture,
+    plant_pot,
+    plate,
+    snake_plant,
+    table_lamp,
+    trailing_plant,
+    vase,
+    wine_glass,
+)
 from furniture_seating import armchair, bench, dining_chair, pouf, sofa, throw_blanket
 from furniture_storage import (
     basket,

@@ -8,8 +8,22 @@ import math
 import furniture_bath as bath
 import furniture_office as office
 from furniture_common import (
-    book_stack, bottle, box_at, cushion, fern, fiddle_plant, floor_lamp, flush_lamp, mug, pendant, picture, snake_plant, table_lamp, towel, vase,
-)  # fmt: skip
+    book_stack,
+    bottle,
+    box_at,
+    cushion,
+    fern,
+    fiddle_plant,
+    floor_lamp,
+    flush_lamp,
+    mug,
+    pendant,
+    picture,
+    snake_plant,
+    table_lamp,
+    towel,
+    vase,
+)
 from furniture_seating import armchair, bed, bench, duvet, office_chair, pillow
 from furniture_storage import basket, bookcase, chest, framed_mirror, round_table, wall_shelf, wardrobe
 from geometry import cylinder, leaf_tuft, union

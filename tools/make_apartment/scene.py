@@ -14,7 +14,8 @@ Vector = tuple[float, float, float]
 
 @dataclass
 class Node:
-    """One named object. Its front is local +Z; yaw turns it counter-clockwise seen from above (90 degrees: the front looks to +X)."""
+    """One named object. Its front is local +Z; yaw turns it counter-clockwise seen from above (90 degrees: the front
+    looks to +X)."""
 
     name: str
     position: Vector
@@ -39,7 +40,8 @@ class Node:
 
 
 class Scene:
-    """Collects meshes and nodes. Names are `<kind>_<number>`, numbered in the order of creation, so that they stay stable."""
+    """Collects meshes and nodes. Names are `<kind>_<number>`, numbered in the order of creation, so that they stay
+    stable."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -84,10 +86,20 @@ class Scene:
         folder = "/".join(part for part in (self.room, group) if part)
         self.nodes.append(
             Node(
-                name, at, yaw, None, (scale, scale, scale), mesh, None, unreal_class, all_tags,
-                mobility="Movable" if movable else "Static", folder=folder, parent=parent,
+                name,
+                at,
+                yaw,
+                None,
+                (scale, scale, scale),
+                mesh,
+                None,
+                unreal_class,
+                all_tags,
+                mobility="Movable" if movable else "Static",
+                folder=folder,
+                parent=parent,
             )
-        )  # fmt: skip
+        )
         return name
 
     def light(
@@ -101,7 +113,8 @@ class Scene:
         direction: Vector | None = None,
         properties: dict[str, Any] | None = None,
     ) -> str:
-        """A punctual light: intensity in candela (lux for a directional one), reach in metres, spot = (inner, outer) half angles in degrees.
+        """A punctual light: intensity in candela (lux for a directional one), reach in metres, spot = (inner, outer)
+        half angles in degrees.
 
         direction is where the light shines to; only spots and directional lights have one.
         """
@@ -116,10 +129,18 @@ class Scene:
         tags = ["light", kind + "_light", *([snake(self.room)] if self.room else ["outside"])]
         self.nodes.append(
             Node(
-                name, at, 0.0, look_along(direction) if direction else None, light=light, unreal_class=unreal_class, tags=tags,
-                mobility="Movable", folder=folder, properties=properties or {},
+                name,
+                at,
+                0.0,
+                look_along(direction) if direction else None,
+                light=light,
+                unreal_class=unreal_class,
+                tags=tags,
+                mobility="Movable",
+                folder=folder,
+                properties=properties or {},
             )
-        )  # fmt: skip
+        )
         return name
 
     def actor(

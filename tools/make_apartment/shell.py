@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,7 +36,8 @@ def wall(
     mesh = Mesh()
     for sign, material in ((1.0, front), (-1.0, back)):
         z = sign * thickness / 2
-        positions, triangles = [], []
+        positions: list[tuple[float, float, float]] = []
+        triangles: list[tuple[int, int, int]] = []
         for x0, x1 in zip(xs, xs[1:], strict=False):
             for y0, y1 in zip(ys, ys[1:], strict=False):
                 x, y = (x0 + x1) / 2, (y0 + y1) / 2
@@ -119,7 +120,7 @@ def trim(
     x1: float,
     z0: float,
     z1: float,
-    gaps: dict[str, Sequence[tuple[float, float]]],
+    gaps: Mapping[str, Sequence[tuple[float, float]]],
     profile: Sequence[tuple[float, float]] = SKIRTING,
 ) -> Mesh:
     """Moulding along the four walls of a room; gaps are intervals of x (walls north, south) or z (west, east)."""
@@ -198,7 +199,8 @@ def door_leaf(
 def window(
     width: float, height: float, columns: int, glass: str = "glass", bar: float | None = None, sill: bool = True
 ) -> Mesh:
-    """A casement window centred in x and z with its lower edge at y = 0; inside is +Z. bar is the height of a transom."""
+    """A casement window centred in x and z with its lower edge at y = 0; inside is +Z. bar is the height of a
+    transom."""
     f, d = 0.055, 0.070
     mesh = Mesh()
     material = "white_lacquer"

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Procedural textures: tileable colour, height, roughness and occlusion maps from numpy.
 
-Every function is pure: the same size and seed give the same arrays. Colours are sRGB values in 0..1; heights are in millimetres.
+Every function is pure: the same size and seed give the same arrays. Colours are sRGB values in 0..1; heights are in
+millimetres.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +20,8 @@ Colour = tuple[float, float, float]
 
 @dataclass
 class Maps:
-    """Maps of one material. height None means no normal map, roughness None none of occlusion, roughness and metallic."""
+    """Maps of one material. height None means no normal map, roughness None none of occlusion, roughness and
+    metallic."""
 
     colour: Array
     height: Array | None = None
@@ -35,7 +38,8 @@ def noise(
     low: float = 1.0,
     high: float = 1e9,
 ) -> Array:
-    """Tileable noise with mean 0 and deviation 1: spectrum 1 / f^exponent between the frequencies low and high (cycles a tile).
+    """Tileable noise with mean 0 and deviation 1: spectrum 1 / f^exponent between the frequencies low and high
+    (cycles a tile).
 
     stretch multiplies the frequencies along x and y: (0.05, 1) makes streaks along x.
     """
@@ -68,7 +72,8 @@ def lookup(image: Array, x: Array, y: Array) -> Array:
         fx, fy = fx[..., None], fy[..., None]
     top = image[y0, x0] * (1 - fx) + image[y0, x1] * fx
     bottom = image[y1, x0] * (1 - fx) + image[y1, x1] * fx
-    return top * (1 - fy) + bottom * fy
+    result: Array = top * (1 - fy) + bottom * fy
+    return result
 
 
 def smoothstep(low: float, high: float, value: Array) -> Array:
@@ -76,8 +81,9 @@ def smoothstep(low: float, high: float, value: Array) -> Array:
     return t * t * (3 - 2 * t)
 
 
-def mix(a: Colour | Array, b: Colour | Array, t: Array) -> Array:
-    return np.asarray(a) * (1 - t[..., None]) + np.asarray(b) * t[..., None]
+def mix(a: Colour | Array, b: Colour | Array, t: NDArray[Any]) -> Array:
+    result: Array = np.asarray(a) * (1 - t[..., None]) + np.asarray(b) * t[..., None]
+    return result
 
 
 def plain(size: int, colour: Colour) -> Array:
@@ -158,7 +164,8 @@ def tiles(
     variation: float = 0.03,
     gloss: float = 0.12,
 ) -> Maps:
-    """nx x ny tiles cut from the image `body`, with rounded edges and rough grout; offset shifts every second row (0.5 is a brick bond)."""
+    """nx x ny tiles cut from the image `body`, with rounded edges and rough grout; offset shifts every second row
+    (0.5 is a brick bond)."""
     random = np.random.default_rng(seed)
     x, y = coordinates(size)
     row = np.minimum((y * ny).astype(np.int64), ny - 1)

@@ -123,8 +123,8 @@ template <typename Self>
 class ObjectOperations {
 public:
     /// Calls a reflected function. Arguments are positional or named (`arg`), values or futures; those left out take
-    /// the engine's defaults. R: the return value's type, or, for functions with out-parameters, a struct with members
-    /// ReturnValue and the parameters' names; Value takes anything, void drops it. On a class, calls a static function.
+    /// the engine's defaults. R: the return value's type; for functions with out-parameters also a struct with members
+    /// ReturnValue and the parameters' names; Value takes all of it, void drops it. On a class, calls a static function.
     /// Raises UnknownFunction, UnknownArgument, MissingArgument, WrongType, OutOfRange, StaleObject, NotCallable, and
     /// NotInFrame etc.
     template <typename R = Value, typename... A>

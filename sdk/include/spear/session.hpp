@@ -210,10 +210,21 @@ T decode_result(const RawResult& result, const std::shared_ptr<Session>& session
         return Value::decode(result.view, session->value_context());
     } else {
         T value{};
-        Decoder in(result.view.payload);
-        CodecError error = Codec<T>::decode(in, result.view.type, session->decode_context(), value);
-        if (error == CodecError::none && !in.ok())
-            error = CodecError::malformed;
+        const auto read = [&](TypeId type) {
+            Decoder in(result.view.payload);
+            const CodecError error = decode_element(in, type, session->decode_context(), value);
+            return error == CodecError::none && !in.ok() ? CodecError::malformed : error;
+        };
+        CodecError error = read(result.view.type);
+        if (error == CodecError::wrong_type) {
+            // A function with out-parameters gives a struct, "<Function>_Result", whose first field is the return
+            // value.
+            const TypeInfo* info = session->types().find(result.view.type);
+            if (info && info->kind == TypeKind::structure && info->name.ends_with("_Result") && !info->fields.empty() &&
+                info->fields.front().name == "ReturnValue") {
+                error = read(info->fields.front().type);
+            }
+        }
         if (error != CodecError::none)
             throw_result_error(error, result, *session, Codec<T>::name);
         return value;

@@ -8,8 +8,6 @@
 #include "UObject/Stack.h"
 #include "UObject/UObjectGlobals.h"
 
-void IRoundTripListener::Hear_Implementation(int32 Number) {}
-
 void URoundTrip::CallListener(int32 Number) {
     if (UObject* Listener = InterfaceValue.GetObject()) {
         IRoundTripListener::Execute_Hear(Listener, Number);

@@ -123,8 +123,13 @@ bool FValueReader::ReadStruct(const FTypePlan& Plan, void* Address, spear::Decod
         }
         return true;
     }
-    if (Type == types::list) {
-        const uint32 Count = In.get_count(4);
+    const spear::TypeInfo* Info = Operation.Session->Tables().find(Type);
+    if (Type == types::list || (Info && Info->kind == spear::TypeKind::array)) {
+        spear::TypeId ElementType = types::any;
+        uint32 Count = 0;
+        if (!ReadCount(Plan, In, Type, ElementType, Count)) {
+            return false;
+        }
         if (Count != Plan.Fields.size()) {
             return Fail(ErrorCode::WrongType,
                 Place() + ": a list for " + CppNameOf(Plan.Struct) + " needs all " +
@@ -132,13 +137,12 @@ bool FValueReader::ReadStruct(const FTypePlan& Plan, void* Address, spear::Decod
                 CppNameOf(Plan.Struct));
         }
         for (const FTypePlan::FField& Field : Plan.Fields) {
-            if (!ReadField(Field, types::any)) {
+            if (!ReadField(Field, ElementType)) {
                 return false;
             }
         }
         return true;
     }
-    const spear::TypeInfo* Info = Operation.Session->Tables().find(Type);
     if (!Info || Info->kind != spear::TypeKind::structure) {
         return FailType(Plan, Type);
     }

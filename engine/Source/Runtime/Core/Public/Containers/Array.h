@@ -302,17 +302,29 @@ public:
         FMemory::Memzero(static_cast<void*>(GetData() + Index), static_cast<SIZE_T>(Count) * sizeof(ElementType));
         return Index;
     }
-    ElementType& AddZeroed_GetRef() { return GetData()[AddZeroed(1)]; }
+    ElementType& AddZeroed_GetRef() {
+        const SizeType Index = AddZeroed(1);
+        return GetData()[Index];
+    }
     SizeType AddDefaulted(SizeType Count = 1) {
         const SizeType Index = AddUninitialized(Count);
         DefaultConstructItems<ElementType>(static_cast<void*>(GetData() + Index), Count);
         return Index;
     }
-    ElementType& AddDefaulted_GetRef() { return GetData()[AddDefaulted(1)]; }
+    ElementType& AddDefaulted_GetRef() {
+        const SizeType Index = AddDefaulted(1);
+        return GetData()[Index];
+    }
     SizeType Add(ElementType&& Item) { return Emplace(MoveTempIfPossible(Item)); }
     SizeType Add(const ElementType& Item) { return Emplace(Item); }
-    ElementType& Add_GetRef(ElementType&& Item) { return GetData()[Emplace(MoveTempIfPossible(Item))]; }
-    ElementType& Add_GetRef(const ElementType& Item) { return GetData()[Emplace(Item)]; }
+    ElementType& Add_GetRef(ElementType&& Item) {
+        const SizeType Index = Emplace(MoveTempIfPossible(Item));
+        return GetData()[Index];
+    }
+    ElementType& Add_GetRef(const ElementType& Item) {
+        const SizeType Index = Emplace(Item);
+        return GetData()[Index];
+    }
     template <typename... ArgsType>
     SizeType Emplace(ArgsType&&... Args) {
         if (ArrayNum == ArrayMax) {

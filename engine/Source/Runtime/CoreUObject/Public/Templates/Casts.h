@@ -19,11 +19,11 @@ enum Type
 };
 }
 
-/** True for I-classes of UINTERFACE pairs. */
+/** True for I-classes of UINTERFACE pairs (and not for classes that implement one and so inherit its UClassType). */
 template <typename T>
 struct TIsIInterface
 {
-    static constexpr bool Value = requires { typename T::UClassType; };
+    static constexpr bool Value = requires { typename T::UClassType; } && !std::is_base_of_v<UObject, T>;
 };
 
 namespace UE::CoreUObject::Private

@@ -54,6 +54,12 @@ struct TLazyObjectPtr : private FLazyObjectPtr
         FLazyObjectPtr::operator=((const UObject*)Object);
         return *this;
     }
+    template <class U>
+        requires std::is_convertible_v<U*, T*>
+    TLazyObjectPtr& operator=(const TObjectPtr<U>& Object)
+    {
+        return *this = Object.Get();
+    }
     TLazyObjectPtr& operator=(TYPE_OF_NULLPTR)
     {
         Reset();

@@ -40,7 +40,10 @@ const TEnumAsByte<ECollisionResponse>* Responses(const FCollisionResponseContain
 } // namespace
 
 FCollisionResponseContainer::FCollisionResponseContainer(ECollisionResponse DefaultResponse) {
-    SetAllChannels(DefaultResponse);
+    // Not by SetAllChannels: it compares with what is there, and nothing is yet.
+    for (int32 Channel = 0; Channel < NumCollisionChannels; ++Channel) {
+        Responses(*this)[Channel] = DefaultResponse;
+    }
 }
 
 bool FCollisionResponseContainer::SetResponse(ECollisionChannel Channel, ECollisionResponse NewResponse) {

@@ -64,7 +64,11 @@ UWorld::~UWorld() = default;
 
 UWorld* UWorld::CreateWorld(const EWorldType::Type InWorldType, bool bInformEngineOfWorld, FName WorldName,
     UPackage* InWorldPackage, bool bAddToRoot, const InitializationValues* InIVS, bool bInSkipInitWorld) {
-    UPackage* Package = InWorldPackage ? InWorldPackage : CreatePackage(nullptr);
+    UPackage* Package = InWorldPackage;
+    if (!Package) {
+        static int32 UntitledCount = 0;
+        Package = CreatePackage(*FString::Printf(TEXT("/Temp/Untitled_%d"), ++UntitledCount));
+    }
     UWorld* World = NewObject<UWorld>(
         Package, WorldName == NAME_None ? FName(TEXT("Untitled")) : WorldName, RF_Public | RF_Transactional);
     World->WorldType = InWorldType;

@@ -117,7 +117,7 @@ private:
         bool bRemoveAll = false;
     };
 
-    FPendingLatentAction* FindExistingActionWithKey(UObject* InActionObject, int32 UUID);
+    ENGINE_API FPendingLatentAction* FindExistingActionWithKey(UObject* InActionObject, int32 UUID);
     FObjectActions* FindObjectActions(const UObject* InObject);
     void AbortAll(FObjectActions& ObjectActions);
     void TickLatentActionForObject(FObjectActions& ObjectActions, float DeltaTime);
