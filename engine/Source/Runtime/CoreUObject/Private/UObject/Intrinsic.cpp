@@ -110,7 +110,7 @@ TArray<UClass*>& UnfinishedIntrinsics()
         static UClass* Class = nullptr;                                                                                       \
         if (!Class) {                                                                                                         \
             FObjectSystem::CreateNativeClass({&Class, StaticPackage(), UE_STATIC_CLASS_NAME(TClass), sizeof(TClass),          \
-                alignof(TClass), StaticClassFlags, StaticClassCastFlags(), TEXT("Engine"), &TClass::__DefaultConstructor,     \
+                alignof(TClass), StaticClassFlags, StaticClassCastFlags(), TEXT(""), &TClass::__DefaultConstructor,     \
                 &TClass::AddReferencedObjects, &TSuperClass::StaticClass, nullptr, nullptr});                                 \
         }                                                                                                                     \
         return Class;                                                                                                         \
