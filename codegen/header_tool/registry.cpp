@@ -262,7 +262,6 @@ void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report&
     Flags removed;
     info.flags = own_class_flags(c, removed);
     const TypeInfo* super = nullptr;
-    std::string intrinsic_config;
     if (!info.super.empty()) {
         auto it = types_.find(info.super);
         if (it != types_.end()) {
@@ -270,11 +269,6 @@ void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report&
             super = &it->second;
         } else {
             info.super_unresolved = !is_intrinsic_class(info.super) || info.super == "UObject";
-            // Intrinsic classes (UInterface, ...) hand down what UObject hands down.
-            if (auto object = types_.find("UObject"); object != types_.end() && is_intrinsic_class(info.super)) {
-                finish_class(object->second, open, report);
-                intrinsic_config = object->second.config;
-            }
         }
     }
     if (super) {
@@ -289,7 +283,7 @@ void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report&
     else
         info.within = super ? super->within : "UObject";
     std::string config = specifier_value(c.specifiers, "Config");
-    info.config = !config.empty() ? config : super ? super->config : intrinsic_config;
+    info.config = !config.empty() ? config : super ? super->config : "";
     info.hide_categories = merge_words(super ? super->hide_categories : "",
         specifier_value(c.specifiers, "HideCategories"), specifier_value(c.specifiers, "ShowCategories"));
     info.auto_collapse_categories = merge_words(super ? super->auto_collapse_categories : "",

@@ -4,16 +4,18 @@
 
 using namespace reflection_test;
 
-TEST_CASE("coreuobject: numbers as arguments and results")
-{
+TEST_CASE("coreuobject: numbers as arguments and results") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK(FCall(Subject, TEXT("Add")).Set<int32>(TEXT("A"), 3).Set<int32>(TEXT("B"), 4).Run().Result<int32>() == 7);
-    CHECK(FCall(Subject, TEXT("EchoDouble")).Set(TEXT("Value"), 0.5).Set(TEXT("Single"), 0.25f).Set<int64>(TEXT("Wide"), int64(1) << 40).Run().Result<double>() ==
-          0.75 + static_cast<double>(int64(1) << 40));
+    CHECK(FCall(Subject, TEXT("EchoDouble"))
+              .Set(TEXT("Value"), 0.5)
+              .Set(TEXT("Single"), 0.25f)
+              .Set<int64>(TEXT("Wide"), int64(1) << 40)
+              .Run()
+              .Result<double>() == 0.75 + static_cast<double>(int64(1) << 40));
 }
 
-TEST_CASE("coreuobject: bools, strings, names and texts in calls")
-{
+TEST_CASE("coreuobject: bools, strings, names and texts in calls") {
     UReflectionSubject* Subject = MakeSubject();
     FCall Bool(Subject, TEXT("EchoBool"));
     Bool.Set(TEXT("bValue"), true).Set(TEXT("bInverted"), true).Run();
@@ -31,8 +33,7 @@ TEST_CASE("coreuobject: bools, strings, names and texts in calls")
     CHECK(Text.Result<FText>().ToString() == TEXT("shown"));
 }
 
-TEST_CASE("coreuobject: enums in calls")
-{
+TEST_CASE("coreuobject: enums in calls") {
     FCall Call(MakeSubject(), TEXT("EchoEnum"));
     Call.Set(TEXT("Value"), ETestColor::Blue).Set(TEXT("Regular"), TEnumAsByte<ERegularTestEnum>(RTE_Tenth)).Run();
     CHECK(Call.Result<ETestColor>() == ETestColor::Blue);
@@ -40,8 +41,7 @@ TEST_CASE("coreuobject: enums in calls")
     CHECK(Call.At<ETestFlags>(TEXT("OutFlags")) == (ETestFlags::Big | ETestFlags::One));
 }
 
-TEST_CASE("coreuobject: structs in calls")
-{
+TEST_CASE("coreuobject: structs in calls") {
     UReflectionSubject* Subject = MakeSubject();
     FCall Vector(Subject, TEXT("EchoVector"));
     Vector.Set(TEXT("Value"), FVector(1, 2, 3)).Set(TEXT("Transform3D"), FTransform(FVector(10, 0, 0))).Run();
@@ -62,8 +62,7 @@ TEST_CASE("coreuobject: structs in calls")
     CHECK(Struct.At<FInnerTestStruct>(TEXT("OutInner")).Label == TEXT("given"));
 }
 
-TEST_CASE("coreuobject: objects, classes and interfaces in calls")
-{
+TEST_CASE("coreuobject: objects, classes and interfaces in calls") {
     UReflectionSubject* Subject = MakeSubject();
     FCall Object(Subject, TEXT("EchoObject"));
     Object.Set<UObject*>(TEXT("Value"), Subject->Part).Run();
@@ -71,7 +70,9 @@ TEST_CASE("coreuobject: objects, classes and interfaces in calls")
     CHECK(Object.At<UReflectionSubject*>(TEXT("OutSelf")) == Subject);
 
     FCall Class(Subject, TEXT("EchoClass"));
-    Class.Set(TEXT("Value"), TSubclassOf<UReflectionBase>(UReflectionChild::StaticClass())).Set<UClass*>(TEXT("Any"), UObject::StaticClass()).Run();
+    Class.Set(TEXT("Value"), TSubclassOf<UReflectionBase>(UReflectionChild::StaticClass()))
+        .Set<UClass*>(TEXT("Any"), UObject::StaticClass())
+        .Run();
     CHECK(Class.Result<TSubclassOf<UReflectionBase>>() == UReflectionChild::StaticClass());
     CHECK(Class.At<UClass*>(TEXT("OutAny")) == UObject::StaticClass());
 
@@ -81,7 +82,9 @@ TEST_CASE("coreuobject: objects, classes and interfaces in calls")
     CHECK(Interface.Result<TScriptInterface<ITestGreeter>>().GetInterface() == static_cast<ITestGreeter*>(Subject));
 
     FCall Soft(Subject, TEXT("EchoSoft"));
-    Soft.Set(TEXT("Value"), TSoftObjectPtr<UObject>(Subject)).Set(TEXT("ClassValue"), TSoftClassPtr<UReflectionBase>(UReflectionChild::StaticClass())).Run();
+    Soft.Set(TEXT("Value"), TSoftObjectPtr<UObject>(Subject))
+        .Set(TEXT("ClassValue"), TSoftClassPtr<UReflectionBase>(UReflectionChild::StaticClass()))
+        .Run();
     CHECK(Soft.Result<TSoftObjectPtr<UObject>>().Get() == Subject);
     CHECK(Soft.At<TSoftClassPtr<UReflectionBase>>(TEXT("OutClass")).Get() == UReflectionChild::StaticClass());
 
@@ -90,8 +93,7 @@ TEST_CASE("coreuobject: objects, classes and interfaces in calls")
     CHECK(Weak.Result<TWeakObjectPtr<UObject>>().Get() == Subject);
 }
 
-TEST_CASE("coreuobject: containers in calls")
-{
+TEST_CASE("coreuobject: containers in calls") {
     UReflectionSubject* Subject = MakeSubject();
     FCall Array(Subject, TEXT("EchoArray"));
     Array.Set(TEXT("Values"), TArray<int32>{1, 2, 3}).Run();
@@ -108,8 +110,7 @@ TEST_CASE("coreuobject: containers in calls")
     CHECK(Map.At<TSet<FName>>(TEXT("OutSet")).Contains(TEXT("Y")));
 }
 
-TEST_CASE("coreuobject: references are changed in place")
-{
+TEST_CASE("coreuobject: references are changed in place") {
     FCall Call(MakeSubject(), TEXT("ChangeInPlace"));
     FInnerTestStruct Value;
     Value.Count = 41;
@@ -118,8 +119,7 @@ TEST_CASE("coreuobject: references are changed in place")
     CHECK(Call.At<TArray<int32>>(TEXT("Values")) == TArray<int32>{7, 42});
 }
 
-TEST_CASE("coreuobject: static functions, custom thunks and remote calls")
-{
+TEST_CASE("coreuobject: static functions, custom thunks and remote calls") {
     UReflectionSubject* Subject = MakeSubject();
     FCall Static(UReflectionSubject::StaticClass()->GetDefaultObject(), TEXT("StaticSum"));
     CHECK(Static.Set<int32>(TEXT("A"), 1).Set<int32>(TEXT("B"), 2).Run().Result<int32>() == 3);
@@ -133,11 +133,11 @@ TEST_CASE("coreuobject: static functions, custom thunks and remote calls")
     CHECK(Subject->LastNumber == 6);
     Subject->ServerSetNumber(8);
     CHECK(Subject->LastNumber == 8);
-    CHECK(Subject->FindFunction(TEXT("ServerSetNumber"))->HasAllFunctionFlags(FUNC_Net | FUNC_NetServer | FUNC_NetReliable | FUNC_NetValidate));
+    CHECK(Subject->FindFunction(TEXT("ServerSetNumber"))
+            ->HasAllFunctionFlags(FUNC_Net | FUNC_NetServer | FUNC_NetReliable | FUNC_NetValidate));
 }
 
-TEST_CASE("coreuobject: functions are found without case and overrides count")
-{
+TEST_CASE("coreuobject: functions are found without case and overrides count") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK(Subject->FindFunction(TEXT("aDD")) == Subject->FindFunction(TEXT("Add")));
     CHECK(Subject->FindFunction(TEXT("NoSuchFunction")) == nullptr);
@@ -148,8 +148,7 @@ TEST_CASE("coreuobject: functions are found without case and overrides count")
     CHECK(Subject->FindFunction(TEXT("Greet"))->GetOwnerClass() == UTestGreeter::StaticClass());
 }
 
-TEST_CASE("coreuobject: native and implementable events")
-{
+TEST_CASE("coreuobject: native and implementable events") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK(Subject->NativeEvent(4) == 50);
     CHECK(FCall(Subject, TEXT("NativeEvent")).Set<int32>(TEXT("Number"), 4).Run().Result<int32>() == 50);
@@ -160,8 +159,7 @@ TEST_CASE("coreuobject: native and implementable events")
     CHECK(Event->HasAllFunctionFlags(FUNC_Event | FUNC_BlueprintEvent));
 }
 
-TEST_CASE("coreuobject: interfaces")
-{
+TEST_CASE("coreuobject: interfaces") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK(Subject->GetClass()->ImplementsInterface(UTestGreeter::StaticClass()));
     CHECK(UReflectionChild::StaticClass()->ImplementsInterface(UTestGreeter::StaticClass()));
@@ -173,11 +171,11 @@ TEST_CASE("coreuobject: interfaces")
     CHECK(Cast<ITestGreeter>(static_cast<UObject*>(Subject)) == static_cast<ITestGreeter*>(Subject));
     CHECK(Cast<UReflectionSubject>(static_cast<ITestGreeter*>(Subject)) == Subject);
     CHECK(Cast<ITestGreeter>(Subject->Part.Get()) == nullptr);
-    CHECK(FCall(Subject, TEXT("Greet")).Set(TEXT("Name"), FString(TEXT("them"))).Run().Result<FString>() == TEXT("Hello them"));
+    CHECK(FCall(Subject, TEXT("Greet")).Set(TEXT("Name"), FString(TEXT("them"))).Run().Result<FString>() ==
+          TEXT("Hello them"));
 }
 
-TEST_CASE("coreuobject: garbage objects take no calls")
-{
+TEST_CASE("coreuobject: garbage objects take no calls") {
     UReflectionSubject* Subject = MakeSubject();
     Subject->MarkAsGarbage();
     FCall Call(Subject, TEXT("Add"));
@@ -185,8 +183,7 @@ TEST_CASE("coreuobject: garbage objects take no calls")
     CHECK(Call.Result<int32>() == 0);
 }
 
-TEST_CASE("coreuobject: calls by command line")
-{
+TEST_CASE("coreuobject: calls by command line") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK(Subject->CallFunctionByNameWithArguments(TEXT("SetNumberByCommand 17 the rest of it"), *GLog, nullptr));
     CHECK(Subject->LastNumber == 17);
@@ -195,8 +192,7 @@ TEST_CASE("coreuobject: calls by command line")
     CHECK(Subject->CallFunctionByNameWithArguments(TEXT("Add 1"), *GLog, nullptr, true));
 }
 
-TEST_CASE("coreuobject: functions describe their parameters")
-{
+TEST_CASE("coreuobject: functions describe their parameters") {
     const UFunction* Function = UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("EchoVector"));
     CHECK(Function->NumParms == 4);
     const FProperty* Value = Function->FindPropertyByName(TEXT("Value"));
@@ -212,5 +208,6 @@ TEST_CASE("coreuobject: functions describe their parameters")
         Names.Add(It->GetName());
     }
     CHECK(Names == TArray<FString>{TEXT("Value"), TEXT("OutDoubled"), TEXT("Transform3D"), TEXT("ReturnValue")});
-    CHECK(UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("Add"))->GetMetaData(TEXT("CPP_Default_B")) == TEXT("5"));
+    CHECK(UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("Add"))->GetMetaData(TEXT("CPP_Default_B")) ==
+          TEXT("5"));
 }

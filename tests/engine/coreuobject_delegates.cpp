@@ -4,8 +4,7 @@
 
 using namespace reflection_test;
 
-TEST_CASE("coreuobject delegates: single")
-{
+TEST_CASE("coreuobject delegates: single") {
     UReflectionSubject* Subject = MakeSubject();
     CHECK_FALSE(Subject->OnEvent.IsBound());
     CHECK_FALSE(Subject->OnEvent.ExecuteIfBound(1, TEXT("x")));
@@ -30,8 +29,7 @@ TEST_CASE("coreuobject delegates: single")
     CHECK_FALSE(Subject->OnEvent.IsBound());
 }
 
-TEST_CASE("coreuobject delegates: multicast")
-{
+TEST_CASE("coreuobject delegates: multicast") {
     UReflectionSubject* Subject = MakeSubject();
     UReflectionSubject* A = MakeSubject();
     UReflectionSubject* B = MakeSubject();
@@ -52,8 +50,7 @@ TEST_CASE("coreuobject delegates: multicast")
     CHECK_FALSE(Subject->OnMulticast.IsBound());
 }
 
-TEST_CASE("coreuobject delegates: sparse")
-{
+TEST_CASE("coreuobject delegates: sparse") {
     static_assert(sizeof(FTestSparse) == 1);
     UReflectionSubject* Subject = MakeSubject();
     UReflectionSubject* A = MakeSubject();
@@ -68,12 +65,12 @@ TEST_CASE("coreuobject delegates: sparse")
     CHECK(FSparseDelegateStorage::GetMulticastDelegate(Subject, TEXT("OnSparse")) == nullptr);
 }
 
-TEST_CASE("coreuobject delegates: through properties")
-{
+TEST_CASE("coreuobject delegates: through properties") {
     UReflectionSubject* Subject = MakeSubject();
     UReflectionSubject* Target = NewObject<UReflectionSubject>(GetTransientPackage(), TEXT("DelegateTarget"));
     for (const TCHAR* Name : {TEXT("OnMulticast"), TEXT("OnSparse")}) {
-        FMulticastDelegateProperty* Property = CastField<FMulticastDelegateProperty>(Subject->GetClass()->FindPropertyByName(Name));
+        FMulticastDelegateProperty* Property =
+            CastField<FMulticastDelegateProperty>(Subject->GetClass()->FindPropertyByName(Name));
         REQUIRE(Property != nullptr);
         CHECK(Property->SignatureFunction->NumParms == 1);
         FScriptDelegate Delegate;
@@ -95,14 +92,17 @@ TEST_CASE("coreuobject delegates: through properties")
     CHECK(Subject->OnEvent.IsBound());
 }
 
-TEST_CASE("coreuobject delegates: signatures are objects")
-{
-    UFunction* Signature = FindObject<UFunction>(nullptr, TEXT("/Script/ReflectionTest.TestDelegate__DelegateSignature"));
+TEST_CASE("coreuobject delegates: signatures are objects") {
+    UFunction* Signature =
+        FindObject<UFunction>(nullptr, TEXT("/Script/ReflectionTest.TestDelegate__DelegateSignature"));
     REQUIRE(Signature != nullptr);
     CHECK(Signature->HasAllFunctionFlags(FUNC_Delegate | FUNC_Public));
-    CHECK(Signature->IsSignatureCompatibleWith(UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("HandleEvent"))));
-    CHECK_FALSE(Signature->IsSignatureCompatibleWith(UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("HandleMulticast"))));
-    USparseDelegateFunction* Sparse = FindObject<USparseDelegateFunction>(nullptr, TEXT("/Script/ReflectionTest.TestSparse__DelegateSignature"));
+    CHECK(Signature->IsSignatureCompatibleWith(
+        UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("HandleEvent"))));
+    CHECK_FALSE(Signature->IsSignatureCompatibleWith(
+        UReflectionSubject::StaticClass()->FindFunctionByName(TEXT("HandleMulticast"))));
+    USparseDelegateFunction* Sparse =
+        FindObject<USparseDelegateFunction>(nullptr, TEXT("/Script/ReflectionTest.TestSparse__DelegateSignature"));
     REQUIRE(Sparse != nullptr);
     CHECK(Sparse->DelegateName == FName(TEXT("OnSparse")));
 }

@@ -4,24 +4,20 @@
 
 using namespace reflection_test;
 
-namespace
-{
-void Collect()
-{
-    CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS);
-}
+namespace {
+void Collect() { CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS); }
 
-class FHolder : public FGCObject
-{
+class FHolder : public FGCObject {
 public:
     TObjectPtr<UObject> Object;
-    virtual void AddReferencedObjects(FReferenceCollector& Collector) override { Collector.AddReferencedObject(Object); }
+    virtual void AddReferencedObjects(FReferenceCollector& Collector) override {
+        Collector.AddReferencedObject(Object);
+    }
     virtual FString GetReferencerName() const override { return TEXT("FHolder"); }
 };
-}  // namespace
+} // namespace
 
-TEST_CASE("coreuobject gc: unreferenced objects and cycles go, rooted ones stay")
-{
+TEST_CASE("coreuobject gc: unreferenced objects and cycles go, rooted ones stay") {
     UReflectionSubject* Rooted = MakeSubject();
     Rooted->AddToRoot();
     UReflectionSubject* A = MakeSubject();
@@ -42,8 +38,7 @@ TEST_CASE("coreuobject gc: unreferenced objects and cycles go, rooted ones stay"
     CHECK_FALSE(WeakRooted.IsValid());
 }
 
-TEST_CASE("coreuobject gc: every kind of strong reference keeps its object")
-{
+TEST_CASE("coreuobject gc: every kind of strong reference keeps its object") {
     UReflectionSubject* Root = MakeSubject();
     Root->AddToRoot();
     TArray<TWeakObjectPtr<UObject>> Held;
@@ -83,8 +78,7 @@ TEST_CASE("coreuobject gc: every kind of strong reference keeps its object")
     }
 }
 
-TEST_CASE("coreuobject gc: weak, soft and delegate references do not keep objects")
-{
+TEST_CASE("coreuobject gc: weak, soft and delegate references do not keep objects") {
     UReflectionSubject* Root = MakeSubject();
     Root->AddToRoot();
     UReflectionSubject* Other = MakeSubject();
@@ -102,8 +96,7 @@ TEST_CASE("coreuobject gc: weak, soft and delegate references do not keep object
     Root->RemoveFromRoot();
 }
 
-TEST_CASE("coreuobject gc: references to garbage are nulled")
-{
+TEST_CASE("coreuobject gc: references to garbage are nulled") {
     UReflectionSubject* Root = MakeSubject();
     Root->AddToRoot();
     UReflectionSubject* Garbage = MakeSubject();
@@ -127,8 +120,7 @@ TEST_CASE("coreuobject gc: references to garbage are nulled")
     Root->RemoveFromRoot();
 }
 
-TEST_CASE("coreuobject gc: slots are used again with another serial number")
-{
+TEST_CASE("coreuobject gc: slots are used again with another serial number") {
     const FWeakObjectPtr First(NewObject<UReflectionPart>());
     const int32 Index = First.GetObjectIndex();
     Collect();
@@ -148,8 +140,7 @@ TEST_CASE("coreuobject gc: slots are used again with another serial number")
     Collect();
 }
 
-TEST_CASE("coreuobject gc: FGCObject and TStrongObjectPtr")
-{
+TEST_CASE("coreuobject gc: FGCObject and TStrongObjectPtr") {
     FHolder Holder;
     Holder.Object = NewObject<UReflectionPart>();
     TStrongObjectPtr<UReflectionPart> Strong(NewObject<UReflectionPart>());
@@ -168,8 +159,7 @@ TEST_CASE("coreuobject gc: FGCObject and TStrongObjectPtr")
     CHECK_FALSE(WeakStrong.IsValid());
 }
 
-TEST_CASE("coreuobject gc: classes, class default objects and packages survive")
-{
+TEST_CASE("coreuobject gc: classes, class default objects and packages survive") {
     Collect();
     CHECK(IsValid(UReflectionSubject::StaticClass()));
     CHECK(IsValid(GetDefault<UReflectionSubject>()));
@@ -177,10 +167,10 @@ TEST_CASE("coreuobject gc: classes, class default objects and packages survive")
     CHECK(IsValid(FindPackage(nullptr, TEXT("/Script/ReflectionTest"))));
 }
 
-TEST_CASE("coreuobject gc: incremental purge, locks, delegates and iteration")
-{
+TEST_CASE("coreuobject gc: incremental purge, locks, delegates and iteration") {
     int32 NumPre = 0, NumPost = 0;
-    const FDelegateHandle Pre = FCoreUObjectDelegates::GetPreGarbageCollectDelegate().AddLambda([&NumPre] { ++NumPre; });
+    const FDelegateHandle Pre =
+        FCoreUObjectDelegates::GetPreGarbageCollectDelegate().AddLambda([&NumPre] { ++NumPre; });
     const FDelegateHandle Post = FCoreUObjectDelegates::GetPostGarbageCollect().AddLambda([&NumPost] { ++NumPost; });
     UReflectionPart* Part = NewObject<UReflectionPart>();
     const TWeakObjectPtr<UObject> Weak(Part);
@@ -205,9 +195,9 @@ TEST_CASE("coreuobject gc: incremental purge, locks, delegates and iteration")
     FCoreUObjectDelegates::GetPostGarbageCollect().Remove(Post);
 }
 
-TEST_CASE("coreuobject gc: keep flags")
-{
-    const TWeakObjectPtr<UObject> Standalone(NewObject<UReflectionPart>(GetTransientPackage(), FName(TEXT("KeptByFlag")), RF_Standalone));
+TEST_CASE("coreuobject gc: keep flags") {
+    const TWeakObjectPtr<UObject> Standalone(
+        NewObject<UReflectionPart>(GetTransientPackage(), FName(TEXT("KeptByFlag")), RF_Standalone));
     CollectGarbage(RF_Standalone);
     CHECK(Standalone.IsValid());
     CollectGarbage(RF_NoFlags);

@@ -6,8 +6,7 @@
 
 using namespace reflection_test;
 
-TEST_CASE("coreuobject: class default objects")
-{
+TEST_CASE("coreuobject: class default objects") {
     const UReflectionSubject* Default = GetDefault<UReflectionSubject>();
     CHECK(Default->HasAnyFlags(RF_ClassDefaultObject));
     CHECK(Default->GetName() == TEXT("Default__ReflectionSubject"));
@@ -21,8 +20,7 @@ TEST_CASE("coreuobject: class default objects")
     CHECK(MakeSubject()->GetArchetype() == Default);
 }
 
-TEST_CASE("coreuobject: names and paths")
-{
+TEST_CASE("coreuobject: names and paths") {
     UReflectionSubject* Subject = NewObject<UReflectionSubject>(GetTransientPackage(), TEXT("Named"));
     CHECK(Subject->GetPathName() == TEXT("/Engine/Transient.Named"));
     CHECK(Subject->Part->GetPathName() == TEXT("/Engine/Transient.Named:Part"));
@@ -41,12 +39,13 @@ TEST_CASE("coreuobject: names and paths")
     CHECK(UObject::StaticClass()->GetPathName() == TEXT("/Script/CoreUObject.Object"));
     CHECK(UClass::StaticClass()->GetClass() == UClass::StaticClass());
     CHECK(FindObject<UClass>(nullptr, TEXT("/Script/CoreUObject.Class")) == UClass::StaticClass());
-    CHECK(LoadClass<UReflectionBase>(nullptr, TEXT("/Script/ReflectionTest.ReflectionChild")) == UReflectionChild::StaticClass());
-    CHECK(LoadObject<UObject>(nullptr, TEXT("/Engine/Transient.Nothing"), nullptr, LOAD_NoWarn | LOAD_Quiet) == nullptr);
+    CHECK(LoadClass<UReflectionBase>(nullptr, TEXT("/Script/ReflectionTest.ReflectionChild")) ==
+          UReflectionChild::StaticClass());
+    CHECK(
+        LoadObject<UObject>(nullptr, TEXT("/Engine/Transient.Nothing"), nullptr, LOAD_NoWarn | LOAD_Quiet) == nullptr);
 }
 
-TEST_CASE("coreuobject: unique names and renaming")
-{
+TEST_CASE("coreuobject: unique names and renaming") {
     UReflectionPart* First = NewObject<UReflectionPart>();
     UReflectionPart* Second = NewObject<UReflectionPart>();
     CHECK(First->GetFName() != Second->GetFName());
@@ -59,8 +58,7 @@ TEST_CASE("coreuobject: unique names and renaming")
     CHECK(Second->Rename(TEXT("Other"), Outer));
 }
 
-TEST_CASE("coreuobject: a new object takes the place of one with the same name")
-{
+TEST_CASE("coreuobject: a new object takes the place of one with the same name") {
     UReflectionPart* Old = NewObject<UReflectionPart>(GetTransientPackage(), TEXT("Replaced"));
     Old->Value = 77;
     const TWeakObjectPtr<UReflectionPart> Weak(Old);
@@ -71,8 +69,7 @@ TEST_CASE("coreuobject: a new object takes the place of one with the same name")
     CHECK(TWeakObjectPtr<UReflectionPart>(New).IsValid());
 }
 
-TEST_CASE("coreuobject: default subobjects")
-{
+TEST_CASE("coreuobject: default subobjects") {
     UReflectionSubject* Subject = MakeSubject();
     REQUIRE(Subject->Part != nullptr);
     CHECK(Subject->Part->GetOuter() == Subject);
@@ -89,8 +86,7 @@ TEST_CASE("coreuobject: default subobjects")
     CHECK(GetDefault<UReflectionChild>()->Part->HasAnyFlags(RF_ArchetypeObject));
 }
 
-TEST_CASE("coreuobject: constructors")
-{
+TEST_CASE("coreuobject: constructors") {
     CHECK(NewObject<UReflectionImplicit>()->Int32Value == 42);
     CHECK(NewObject<UReflectionLegacy>()->Number == 5);
     UReflectionSubject* Subject = MakeSubject();
@@ -98,8 +94,7 @@ TEST_CASE("coreuobject: constructors")
     CHECK(UReflectionWithin::StaticClass()->ClassWithin == UReflectionSubject::StaticClass());
 }
 
-TEST_CASE("coreuobject: templates")
-{
+TEST_CASE("coreuobject: templates") {
     UReflectionSubject* Template = MakeSubject();
     Template->Int32Value = 1000;
     Template->Strings = {TEXT("x")};
@@ -118,8 +113,7 @@ TEST_CASE("coreuobject: templates")
     CHECK(Copy->Objects[0] == Outside);
 }
 
-TEST_CASE("coreuobject: duplicates")
-{
+TEST_CASE("coreuobject: duplicates") {
     UReflectionSubject* Source = MakeSubject();
     Source->String = TEXT("copied");
     Source->TransientValue = 5;
@@ -136,8 +130,7 @@ TEST_CASE("coreuobject: duplicates")
     CHECK(Copy->Part->GetOuter() == Copy);
 }
 
-TEST_CASE("coreuobject: casts")
-{
+TEST_CASE("coreuobject: casts") {
     UObject* Object = MakeSubject();
     CHECK(Cast<UReflectionBase>(Object) == Object);
     CHECK(Cast<UReflectionChild>(Object) == nullptr);
@@ -153,13 +146,15 @@ TEST_CASE("coreuobject: casts")
     CHECK(TSubclassOf<UReflectionBase>(UReflectionChild::StaticClass())->GetName() == TEXT("ReflectionChild"));
 }
 
-TEST_CASE("coreuobject: content loaders supply objects by path")
-{
+TEST_CASE("coreuobject: content loaders supply objects by path") {
     int32 NumAsked = 0;
-    FContentLoaderRegistry::Register(TEXT("Test"), [&NumAsked](UClass*, const FString& PackageName, const FString& AssetName) -> UObject* {
-        ++NumAsked;
-        return PackageName == TEXT("/Test/Thing") ? NewObject<UReflectionPart>(CreatePackage(*PackageName), FName(*AssetName), RF_Public) : nullptr;
-    });
+    FContentLoaderRegistry::Register(
+        TEXT("Test"), [&NumAsked](UClass*, const FString& PackageName, const FString& AssetName) -> UObject* {
+            ++NumAsked;
+            return PackageName == TEXT("/Test/Thing")
+                       ? NewObject<UReflectionPart>(CreatePackage(*PackageName), FName(*AssetName), RF_Public)
+                       : nullptr;
+        });
     UReflectionPart* Thing = LoadObject<UReflectionPart>(nullptr, TEXT("/Test/Thing.Thing"));
     REQUIRE(Thing != nullptr);
     CHECK(Thing->GetPathName() == TEXT("/Test/Thing.Thing"));
@@ -167,11 +162,11 @@ TEST_CASE("coreuobject: content loaders supply objects by path")
     CHECK(NumAsked == 1);
     CHECK(TSoftObjectPtr<UReflectionPart>(FSoftObjectPath(TEXT("/Test/Thing.Thing"))).LoadSynchronous() == Thing);
     FContentLoaderRegistry::Unregister(TEXT("Test"));
-    CHECK(LoadObject<UReflectionPart>(nullptr, TEXT("/Test/Missing.Missing"), nullptr, LOAD_NoWarn | LOAD_Quiet) == nullptr);
+    CHECK(LoadObject<UReflectionPart>(nullptr, TEXT("/Test/Missing.Missing"), nullptr, LOAD_NoWarn | LOAD_Quiet) ==
+          nullptr);
 }
 
-TEST_CASE("coreuobject: soft paths")
-{
+TEST_CASE("coreuobject: soft paths") {
     const FSoftObjectPath Path(TEXT("/Game/Maps/Town.Town:PersistentLevel.Lamp"));
     CHECK(Path.GetLongPackageName() == TEXT("/Game/Maps/Town"));
     CHECK(Path.GetAssetName() == TEXT("Town"));
@@ -184,8 +179,7 @@ TEST_CASE("coreuobject: soft paths")
     CHECK(FSoftObjectPath(Subject->Part.Get()).ResolveObject() == Subject->Part);
 }
 
-TEST_CASE("coreuobject: lazy pointers")
-{
+TEST_CASE("coreuobject: lazy pointers") {
     UReflectionSubject* Subject = MakeSubject();
     Subject->Lazy = Subject->Part;
     CHECK(Subject->Lazy.Get() == Subject->Part);

@@ -6,26 +6,21 @@
 
 using namespace reflection_test;
 
-namespace
-{
-FProperty* PropertyOf(const TCHAR* Name)
-{
+namespace {
+FProperty* PropertyOf(const TCHAR* Name) {
     FProperty* Property = UReflectionSubject::StaticClass()->FindPropertyByName(FName(Name));
     REQUIRE(Property != nullptr);
     return Property;
 }
-FString TypeOf(const TCHAR* Name)
-{
+FString TypeOf(const TCHAR* Name) {
     FString Extended;
     const FString Type = PropertyOf(Name)->GetCPPType(&Extended);
     return Type + Extended;
 }
-}  // namespace
+} // namespace
 
-TEST_CASE("coreuobject properties: classes and C++ types")
-{
-    struct FRow
-    {
+TEST_CASE("coreuobject properties: classes and C++ types") {
+    struct FRow {
         const TCHAR* Name;
         const TCHAR* Class;
         const TCHAR* Type;
@@ -81,16 +76,18 @@ TEST_CASE("coreuobject properties: classes and C++ types")
     CHECK(CastField<FIntProperty>(PropertyOf(TEXT("FloatValue"))) == nullptr);
 }
 
-TEST_CASE("coreuobject properties: flags, access, order, metadata")
-{
-    CHECK(PropertyOf(TEXT("Int32Value"))->HasAllPropertyFlags(CPF_Edit | CPF_BlueprintVisible | CPF_NativeAccessSpecifierPublic));
+TEST_CASE("coreuobject properties: flags, access, order, metadata") {
+    CHECK(PropertyOf(TEXT("Int32Value"))
+            ->HasAllPropertyFlags(CPF_Edit | CPF_BlueprintVisible | CPF_NativeAccessSpecifierPublic));
     CHECK(PropertyOf(TEXT("Int32Value"))->GetMetaData(TEXT("ClampMin")) == TEXT("0"));
     CHECK(PropertyOf(TEXT("Int32Value"))->GetMetaData(TEXT("category")) == TEXT("Test"));
     CHECK(PropertyOf(TEXT("ProtectedValue"))->HasAnyPropertyFlags(CPF_NativeAccessSpecifierProtected));
     CHECK(PropertyOf(TEXT("PrivateValue"))->HasAnyPropertyFlags(CPF_NativeAccessSpecifierPrivate));
     CHECK(PropertyOf(TEXT("Part"))->HasAnyPropertyFlags(CPF_InstancedReference));
     CHECK(PropertyOf(TEXT("Strong"))->HasAllPropertyFlags(CPF_TObjectPtr | CPF_UObjectWrapper));
-    CHECK(PropertyOf(TEXT("Vector"))->HasAllPropertyFlags(CPF_IsPlainOldData | CPF_NoDestructor | CPF_ZeroConstructor | CPF_HasGetValueTypeHash));
+    CHECK(PropertyOf(TEXT("Vector"))
+            ->HasAllPropertyFlags(
+                CPF_IsPlainOldData | CPF_NoDestructor | CPF_ZeroConstructor | CPF_HasGetValueTypeHash));
     CHECK_FALSE(PropertyOf(TEXT("String"))->HasAnyPropertyFlags(CPF_IsPlainOldData));
     CHECK(PropertyOf(TEXT("int32VALUE")) == PropertyOf(TEXT("Int32Value")));
     CHECK(UReflectionSubject::StaticClass()->FindPropertyByName(TEXT("NoSuchProperty")) == nullptr);
@@ -115,8 +112,7 @@ TEST_CASE("coreuobject properties: flags, access, order, metadata")
     CHECK(UReflectionSubject::StaticClass()->GetPrefixCPP() == FString(TEXT("U")));
 }
 
-TEST_CASE("coreuobject properties: bits")
-{
+TEST_CASE("coreuobject properties: bits") {
     UReflectionSubject* Subject = MakeSubject();
     FBoolProperty* One = CastField<FBoolProperty>(PropertyOf(TEXT("bBitOne")));
     FBoolProperty* Two = CastField<FBoolProperty>(PropertyOf(TEXT("bBitTwo")));
@@ -135,8 +131,7 @@ TEST_CASE("coreuobject properties: bits")
     CHECK(int(Subject->bBitTwo) == 0);
 }
 
-TEST_CASE("coreuobject properties: native accessors")
-{
+TEST_CASE("coreuobject properties: native accessors") {
     UReflectionSubject* Subject = MakeSubject();
     FFloatProperty* Guarded = CastField<FFloatProperty>(PropertyOf(TEXT("Guarded")));
     CHECK(Guarded->HasSetter());
@@ -153,11 +148,9 @@ TEST_CASE("coreuobject properties: native accessors")
     CHECK_FALSE(PropertyOf(TEXT("FloatValue"))->HasSetterOrGetter());
 }
 
-TEST_CASE("coreuobject properties: text out and in")
-{
+TEST_CASE("coreuobject properties: text out and in") {
     UReflectionSubject* Subject = MakeSubject();
-    struct FRow
-    {
+    struct FRow {
         const TCHAR* Name;
         const TCHAR* Text;
         const TCHAR* Other;
@@ -185,7 +178,8 @@ TEST_CASE("coreuobject properties: text out and in")
         {TEXT("Guid"), TEXT("00000000000000000000000000000000"), TEXT("0123456789ABCDEF0123456789ABCDEF")},
         {TEXT("Struct"),
             TEXT("(Count=3,Label=\"label\",Inners=,Object=None,Location=(X=1.000000,Y=2.000000,Z=3.000000),Scores=)"),
-            TEXT("(Count=5,Label=\"x\",Inners=((Count=1,Label=\"y\")),Object=None,Location=(X=0.000000,Y=0.000000,Z=0.000000),Scores=((\"s\", 2)))")},
+            TEXT("(Count=5,Label=\"x\",Inners=((Count=1,Label=\"y\")),Object=None,Location=(X=0.000000,Y=0.000000,Z=0."
+                 "000000),Scores=((\"s\", 2)))")},
     };
     for (const FRow& Row : Rows) {
         CAPTURE(TCHAR_TO_UTF8(Row.Name));
@@ -209,8 +203,7 @@ TEST_CASE("coreuobject properties: text out and in")
     CHECK(Subject->Text.ToString() == TEXT("source"));
 }
 
-TEST_CASE("coreuobject properties: bad text is refused with a reason")
-{
+TEST_CASE("coreuobject properties: bad text is refused with a reason") {
     UReflectionSubject* Subject = MakeSubject();
     auto Reason = [Subject](const TCHAR* Name, const TCHAR* Text) {
         FStringOutputDevice Errors;
@@ -228,8 +221,7 @@ TEST_CASE("coreuobject properties: bad text is refused with a reason")
     CHECK(Reason(TEXT("Ints"), TEXT("(1,2")).Contains(TEXT("','")));
 }
 
-TEST_CASE("coreuobject properties: copies, comparisons and hashes of every kind")
-{
+TEST_CASE("coreuobject properties: copies, comparisons and hashes of every kind") {
     UReflectionSubject* A = MakeSubject();
     UReflectionSubject* B = MakeSubject();
     A->Strings = {TEXT("p"), TEXT("q")};
@@ -245,12 +237,16 @@ TEST_CASE("coreuobject properties: copies, comparisons and hashes of every kind"
     for (TFieldIterator<FProperty> It(UReflectionSubject::StaticClass()); It; ++It) {
         FProperty* Property = *It;
         CAPTURE(TCHAR_TO_UTF8(*Property->GetName()));
-        NumDifferent += Property->IdenticalAll(Property->ContainerPtrToValuePtr<void>(A), Property->ContainerPtrToValuePtr<void>(B)) ? 0 : 1;
+        NumDifferent +=
+            Property->IdenticalAll(Property->ContainerPtrToValuePtr<void>(A), Property->ContainerPtrToValuePtr<void>(B))
+                ? 0
+                : 1;
         void* Value = Property->AllocateAndInitializeValue();
         Property->CopyCompleteValue(Value, Property->ContainerPtrToValuePtr<void>(A));
         CHECK(Property->IdenticalAll(Value, Property->ContainerPtrToValuePtr<void>(A)));
         if (Property->HasAnyPropertyFlags(CPF_HasGetValueTypeHash)) {
-            CHECK(Property->GetValueTypeHash(Value) == Property->GetValueTypeHash(Property->ContainerPtrToValuePtr<void>(A)));
+            CHECK(Property->GetValueTypeHash(Value) ==
+                  Property->GetValueTypeHash(Property->ContainerPtrToValuePtr<void>(A)));
         }
         Property->ClearValue(Value);
         Property->DestroyAndFreeValue(Value);
@@ -265,8 +261,7 @@ TEST_CASE("coreuobject properties: copies, comparisons and hashes of every kind"
     CHECK(B->FixedArray[2] == 99);
 }
 
-TEST_CASE("coreuobject properties: container helpers see what C++ sees")
-{
+TEST_CASE("coreuobject properties: container helpers see what C++ sees") {
     UReflectionSubject* Subject = MakeSubject();
     {
         FScriptArrayHelper_InContainer Array(CastField<FArrayProperty>(PropertyOf(TEXT("Strings"))), Subject);
@@ -315,8 +310,7 @@ TEST_CASE("coreuobject properties: container helpers see what C++ sees")
     }
 }
 
-TEST_CASE("coreuobject types: enums")
-{
+TEST_CASE("coreuobject types: enums") {
     const UEnum* Regular = StaticEnum<ERegularTestEnum>();
     CHECK(Regular->NumEnums() == 4);
     CHECK(Regular->GetNameByIndex(3) == FName(TEXT("RTE_MAX")));
@@ -348,8 +342,7 @@ TEST_CASE("coreuobject types: enums")
     CHECK(FindObject<UEnum>(nullptr, TEXT("/Script/ReflectionTest.ETestColor")) == Color);
 }
 
-TEST_CASE("coreuobject types: structs")
-{
+TEST_CASE("coreuobject types: structs") {
     UScriptStruct* Outer = FOuterTestStruct::StaticStruct();
     CHECK(Outer->GetSuperStruct() == FInnerTestStruct::StaticStruct());
     CHECK(Outer->GetStructureSize() == static_cast<int32>(sizeof(FOuterTestStruct)));
@@ -372,11 +365,11 @@ TEST_CASE("coreuobject types: structs")
     CHECK(Outer->CompareScriptStruct(&Typed, &Other, PPF_None));
     Outer->ClearScriptStruct(&Typed);
     CHECK(Typed.Count == 3);
-    CHECK(FInnerTestStruct::StaticStruct()->GetStructTypeHash(&Other) == GetTypeHash(static_cast<const FInnerTestStruct&>(Other)));
+    CHECK(FInnerTestStruct::StaticStruct()->GetStructTypeHash(&Other) ==
+          GetTypeHash(static_cast<const FInnerTestStruct&>(Other)));
 }
 
-TEST_CASE("coreuobject types: core structs")
-{
+TEST_CASE("coreuobject types: core structs") {
     CHECK(TBaseStructure<FVector>::Get()->GetPathName() == TEXT("/Script/CoreUObject.Vector"));
     CHECK(TBaseStructure<FVector>::Get()->FindPropertyByName(TEXT("Y"))->GetOffset_ForInternal() == 8);
     CHECK(TBaseStructure<FVector>::Get()->FindPropertyByName(TEXT("Y"))->IsA<FDoubleProperty>());
@@ -387,14 +380,15 @@ TEST_CASE("coreuobject types: core structs")
     FString Text;
     const FTransform Moved(FQuat::Identity, FVector(1, 2, 3), FVector(2, 2, 2));
     TBaseStructure<FTransform>::Get()->ExportText(Text, &Moved, nullptr, nullptr, PPF_None, nullptr);
-    CHECK(Text == TEXT("(Rotation=(X=0.000000,Y=0.000000,Z=0.000000,W=1.000000),Translation=(X=1.000000,Y=2.000000,Z=3.000000),Scale3D=(X=2.000000,Y=2.000000,Z=2.000000))"));
+    CHECK(Text == TEXT("(Rotation=(X=0.000000,Y=0.000000,Z=0.000000,W=1.000000),Translation=(X=1.000000,Y=2.000000,Z=3."
+                       "000000),Scale3D=(X=2.000000,Y=2.000000,Z=2.000000))"));
     FColor Color;
-    CHECK(TBaseStructure<FColor>::Get()->ImportText(TEXT("(R=255,G=1,B=2,A=3)"), &Color, nullptr, PPF_None, nullptr, TEXT("Color")) != nullptr);
+    CHECK(TBaseStructure<FColor>::Get()->ImportText(
+              TEXT("(R=255,G=1,B=2,A=3)"), &Color, nullptr, PPF_None, nullptr, TEXT("Color")) != nullptr);
     CHECK(Color == FColor(255, 1, 2, 3));
 }
 
-TEST_CASE("coreuobject types: class relations")
-{
+TEST_CASE("coreuobject types: class relations") {
     TArray<UClass*> Derived;
     GetDerivedClasses(UReflectionSubject::StaticClass(), Derived);
     CHECK(Derived.Contains(UReflectionChild::StaticClass()));
@@ -407,5 +401,6 @@ TEST_CASE("coreuobject types: class relations")
     CHECK(UReflectionSubject::StaticClass()->GetPropertiesSize() == static_cast<int32>(sizeof(UReflectionSubject)));
     CHECK(UReflectionPart::StaticClass()->HasAnyClassFlags(CLASS_DefaultToInstanced));
     CHECK(UReflectionSubject::StaticClass()->HasAnyClassFlags(CLASS_HasInstancedReference));
-    CHECK(UClass::FindCommonBase(UReflectionChild::StaticClass(), UReflectionImplicit::StaticClass()) == UReflectionSubject::StaticClass());
+    CHECK(UClass::FindCommonBase(UReflectionChild::StaticClass(), UReflectionImplicit::StaticClass()) ==
+          UReflectionSubject::StaticClass());
 }

@@ -156,3 +156,33 @@ def test_no_engine_and_lost_engine() -> None:
     with pytest.raises(spear.Disconnected):
         instance.get_worlds()
     instance.close()  # harmless
+
+
+# Unreal's inconvenient semantics, as they are ---------------------------------------------------------------------------------
+
+
+def test_writing_relative_location_raw_moves_nothing_until_a_setter_runs(game: spear.Game, actor: spear.UnrealObject) -> None:
+    root = actor.RootComponent.get()
+    root.SetMobility(NewMobility="Movable")
+    root.RelativeLocation = spear.FVector(100, 0, 0)
+    assert root.RelativeLocation.X.get() == 100
+    assert actor.K2_GetActorLocation() == spear.FVector(1, 2, 3)
+    root.K2_SetRelativeLocation(NewLocation=spear.FVector(200, 0, 0), bSweep=False, bTeleport=False)
+    assert actor.K2_GetActorLocation() == spear.FVector(200, 0, 0)
+
+
+def test_const_references_are_inputs_and_take_literals(game: spear.Game, actor: spear.UnrealObject) -> None:
+    # `const FVector&` carries CPF_OutParm in the engine; it must be neither demanded back nor returned.
+    result = game.get_class("UGameplayStatics").GetActorArrayAverageLocation(Actors=[actor, actor])
+    assert result == spear.FVector(1, 2, 3)
+
+
+def test_destroyed_actors_linger_but_are_stale(instance: spear.Instance, game: spear.Game) -> None:
+    with instance.begin_frame():
+        actor = game.spawn_actor("ACoordinateAxes", name="Lingering")
+        game.destroy_actor(actor)
+        with pytest.raises(spear.StaleObject, match="Lingering"):
+            actor.K2_GetActorLocation()
+        assert game.find_actors_by_name("Lingering") == []
+    with instance.end_frame():
+        pass

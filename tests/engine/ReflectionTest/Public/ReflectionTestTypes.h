@@ -20,8 +20,7 @@ class UReflectionSubject;
 
 /** A regular enum. */
 UENUM(BlueprintType)
-enum ERegularTestEnum : int
-{
+enum ERegularTestEnum : int {
     /** The first one. */
     RTE_First,
     RTE_Second UMETA(DisplayName = "Number Two"),
@@ -30,33 +29,17 @@ enum ERegularTestEnum : int
 
 /** A namespaced enum. */
 UENUM()
-namespace ENamespacedTestEnum
-{
-enum Type
-{
-    Alpha,
-    Beta
-};
+namespace ENamespacedTestEnum {
+enum Type { Alpha, Beta };
 }
 
 /** An enum class. */
 UENUM(BlueprintType)
-enum class ETestColor : uint8
-{
-    Red,
-    Green = 5,
-    Blue
-};
+enum class ETestColor : uint8 { Red, Green = 5, Blue };
 
 /** A 32-bit flags enum. */
 UENUM(Flags, meta = (Bitflags))
-enum class ETestFlags : uint32
-{
-    None = 0,
-    One = 1,
-    Two = 2,
-    Big = 0x10000
-};
+enum class ETestFlags : uint32 { None = 0, One = 1, Two = 2, Big = 0x10000 };
 ENUM_CLASS_FLAGS(ETestFlags)
 
 /** Two parameters. */
@@ -67,8 +50,7 @@ DECLARE_DYNAMIC_MULTICAST_SPARSE_DELEGATE_OneParam(FTestSparse, UReflectionSubje
 
 /** A plain struct. */
 USTRUCT(BlueprintType)
-struct REFLECTIONTEST_API FInnerTestStruct
-{
+struct REFLECTIONTEST_API FInnerTestStruct {
     GENERATED_BODY()
 
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Test)
@@ -78,13 +60,14 @@ struct REFLECTIONTEST_API FInnerTestStruct
     FString Label = TEXT("label");
 
     bool operator==(const FInnerTestStruct& Other) const { return Count == Other.Count && Label == Other.Label; }
-    friend uint32 GetTypeHash(const FInnerTestStruct& Value) { return HashCombine(::GetTypeHash(Value.Count), GetTypeHash(Value.Label)); }
+    friend uint32 GetTypeHash(const FInnerTestStruct& Value) {
+        return HashCombine(::GetTypeHash(Value.Count), GetTypeHash(Value.Label));
+    }
 };
 
 /** A struct with containers, objects and a base. */
 USTRUCT(BlueprintType)
-struct REFLECTIONTEST_API FOuterTestStruct : public FInnerTestStruct
-{
+struct REFLECTIONTEST_API FOuterTestStruct : public FInnerTestStruct {
     GENERATED_BODY()
 
     UPROPERTY()
@@ -102,8 +85,7 @@ struct REFLECTIONTEST_API FOuterTestStruct : public FInnerTestStruct
 
 /** A struct without constructor work. */
 USTRUCT()
-struct FPlainTestStruct
-{
+struct FPlainTestStruct {
     GENERATED_BODY()
 
     UPROPERTY()
@@ -115,13 +97,11 @@ struct FPlainTestStruct
 
 /** An interface with a native and an implementable event and a plain native function. */
 UINTERFACE(BlueprintType)
-class REFLECTIONTEST_API UTestGreeter : public UInterface
-{
+class REFLECTIONTEST_API UTestGreeter : public UInterface {
     GENERATED_BODY()
 };
 
-class REFLECTIONTEST_API ITestGreeter
-{
+class REFLECTIONTEST_API ITestGreeter {
     GENERATED_BODY()
 
 public:
@@ -134,8 +114,7 @@ public:
 
 /** Base class with an overridable function and a default subobject. */
 UCLASS(Abstract, Blueprintable, BlueprintType)
-class REFLECTIONTEST_API UReflectionBase : public UObject
-{
+class REFLECTIONTEST_API UReflectionBase : public UObject {
     GENERATED_BODY()
 
 public:
@@ -159,8 +138,7 @@ public:
 
 /** A part of other objects. */
 UCLASS(EditInlineNew, DefaultToInstanced)
-class REFLECTIONTEST_API UReflectionPart : public UObject
-{
+class REFLECTIONTEST_API UReflectionPart : public UObject {
     GENERATED_BODY()
 
 public:
@@ -173,15 +151,13 @@ public:
 
 /** A derived part, for SetDefaultSubobjectClass. */
 UCLASS()
-class REFLECTIONTEST_API UReflectionDerivedPart : public UReflectionPart
-{
+class REFLECTIONTEST_API UReflectionDerivedPart : public UReflectionPart {
     GENERATED_BODY()
 };
 
 /** Has every kind of property, and functions that take and return them. */
 UCLASS(BlueprintType, Config = Test)
-class REFLECTIONTEST_API UReflectionSubject : public UReflectionBase, public ITestGreeter
-{
+class REFLECTIONTEST_API UReflectionSubject : public UReflectionBase, public ITestGreeter {
     GENERATED_BODY()
 
 public:
@@ -358,13 +334,15 @@ public:
     FText EchoText(const FText& Value) const;
 
     UFUNCTION()
-    ETestColor EchoEnum(ETestColor Value, TEnumAsByte<ERegularTestEnum> Regular, TEnumAsByte<ERegularTestEnum>& OutRegular, ETestFlags& OutFlags) const;
+    ETestColor EchoEnum(ETestColor Value, TEnumAsByte<ERegularTestEnum> Regular,
+        TEnumAsByte<ERegularTestEnum>& OutRegular, ETestFlags& OutFlags) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
     FVector EchoVector(const FVector& Value, FVector& OutDoubled, const FTransform& Transform3D) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
-    FOuterTestStruct EchoStruct(const FOuterTestStruct& Value, FInnerTestStruct ByValue, FInnerTestStruct& OutInner) const;
+    FOuterTestStruct EchoStruct(
+        const FOuterTestStruct& Value, FInnerTestStruct ByValue, FInnerTestStruct& OutInner) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
     UObject* EchoObject(UObject* Value, UReflectionSubject*& OutSelf, const UReflectionBase* Constant);
@@ -373,13 +351,15 @@ public:
     TSubclassOf<UReflectionBase> EchoClass(TSubclassOf<UReflectionBase> Value, UClass* Any, UClass*& OutAny) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
-    TArray<FString> EchoArray(const TArray<int32>& Values, TArray<int32>& OutReversed, TArray<FInnerTestStruct>& OutStructs) const;
+    TArray<FString> EchoArray(
+        const TArray<int32>& Values, TArray<int32>& OutReversed, TArray<FInnerTestStruct>& OutStructs) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
     TMap<FString, int32> EchoMap(const TMap<FString, int32>& Value, TSet<FName> InSet, TSet<FName>& OutSet) const;
 
     UFUNCTION(BlueprintCallable, Category = Test)
-    TSoftObjectPtr<UObject> EchoSoft(TSoftObjectPtr<UObject> Value, TSoftClassPtr<UReflectionBase> ClassValue, TSoftClassPtr<UReflectionBase>& OutClass) const;
+    TSoftObjectPtr<UObject> EchoSoft(TSoftObjectPtr<UObject> Value, TSoftClassPtr<UReflectionBase> ClassValue,
+        TSoftClassPtr<UReflectionBase>& OutClass) const;
 
     UFUNCTION()
     TWeakObjectPtr<UObject> EchoWeak(TWeakObjectPtr<UObject> Value) const;
@@ -448,8 +428,7 @@ private:
 
 /** A child that replaces its base's subobject and leaves out another. */
 UCLASS()
-class REFLECTIONTEST_API UReflectionChild : public UReflectionSubject
-{
+class REFLECTIONTEST_API UReflectionChild : public UReflectionSubject {
     GENERATED_BODY()
 
 public:
@@ -460,15 +439,13 @@ public:
 
 /** A class without any constructor. */
 UCLASS()
-class REFLECTIONTEST_API UReflectionImplicit : public UReflectionSubject
-{
+class REFLECTIONTEST_API UReflectionImplicit : public UReflectionSubject {
     GENERATED_BODY()
 };
 
 /** The old form of a class body. */
 UCLASS()
-class REFLECTIONTEST_API UReflectionLegacy : public UObject
-{
+class REFLECTIONTEST_API UReflectionLegacy : public UObject {
     GENERATED_UCLASS_BODY()
 
     UPROPERTY()
@@ -477,7 +454,6 @@ class REFLECTIONTEST_API UReflectionLegacy : public UObject
 
 /** Lives only inside subjects. */
 UCLASS(Within = ReflectionSubject)
-class REFLECTIONTEST_API UReflectionWithin : public UObject
-{
+class REFLECTIONTEST_API UReflectionWithin : public UObject {
     GENERATED_BODY()
 };

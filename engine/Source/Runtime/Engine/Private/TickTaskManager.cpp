@@ -23,7 +23,7 @@ void FTickTaskManager::Add(FTickFunction& Function) {
     Function.QueuedFrame = 0;
     Function.ExecutedFrame = 0;
     Function.CooldownSeconds = 0.0;
-    Function.TimeSinceLastTick = 0.f;
+    Function.TimeSinceLastTick = -1.f;
     Function.LastTickGameTimeSeconds = -1.0;
     NotifyEnabled(Function);
 }
@@ -96,7 +96,7 @@ void FTickTaskManager::StartFrame(float DeltaSeconds, ELevelTick TickType) {
 
     for (FTickFunction* Function : Functions) {
         const bool bClockRuns = TickType != LEVELTICK_PauseTick || Function->bTickEvenWhenPaused;
-        if (Function->bTickEnabled && Function->TickInterval > 0.f && bClockRuns) {
+        if (Function->bTickEnabled && Function->TickInterval > 0.f && Function->TimeSinceLastTick >= 0.f && bClockRuns) {
             Function->CooldownSeconds -= DeltaSeconds;
             Function->TimeSinceLastTick += DeltaSeconds;
         }
@@ -166,10 +166,12 @@ void FTickTaskManager::Execute(FTickFunction& Function) {
     Function.ExecutedFrame = Frame;
     float DeltaSeconds = FrameDeltaSeconds;
     if (Function.TickInterval > 0.f) {
-        DeltaSeconds = Function.TimeSinceLastTick > 0.f ? Function.TimeSinceLastTick : FrameDeltaSeconds;
-        Function.TimeSinceLastTick = 0.f;
+        // The first tick is due at once and starts the count; later ones carry over what they were late by.
+        const bool bFirst = Function.TimeSinceLastTick < 0.f;
+        DeltaSeconds = bFirst ? FrameDeltaSeconds : Function.TimeSinceLastTick;
         Function.CooldownSeconds =
-            FMath::Max(0.0, Function.CooldownSeconds + static_cast<double>(Function.TickInterval));
+            FMath::Max(0.0, (bFirst ? 0.0 : Function.CooldownSeconds) + static_cast<double>(Function.TickInterval));
+        Function.TimeSinceLastTick = 0.f;
     }
     Function.LastTickGameTimeSeconds = World->GetTimeSeconds();
     ++NumExecuted;

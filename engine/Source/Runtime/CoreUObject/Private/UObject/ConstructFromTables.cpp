@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Turns the constant tables of generated code (UObject/GeneratedTables.h) into classes, structs, enums, functions and properties.
+// Turns the constant tables of generated code (UObject/GeneratedTables.h) into classes, structs, enums, functions and
+// properties.
 #include "UObject/GeneratedTables.h"
 
 #include "GeneratedRegistry.h"
@@ -11,27 +12,18 @@
 
 DEFINE_LOG_CATEGORY_STATIC(LogClassRegistration, Log, All);
 
-namespace GeneratedTables
-{
-namespace
-{
+namespace GeneratedTables {
+namespace {
 FHeaderRegistrar* GPendingHeaders = nullptr;
 FHeaderRegistrar** GPendingHeadersTail = &GPendingHeaders;
 FPackageRegistrar* GPendingPackages = nullptr;
 FPackageRegistrar** GPendingPackagesTail = &GPendingPackages;
 
-FString FromUtf8(const char* Text)
-{
-    return FString(UTF8_TO_TCHAR(Text));
-}
-FName NameOf(const char* Text)
-{
-    return FName(*FromUtf8(Text));
-}
+FString FromUtf8(const char* Text) { return FString(UTF8_TO_TCHAR(Text)); }
+FName NameOf(const char* Text) { return FName(*FromUtf8(Text)); }
 
 template <typename TTarget>
-void SetMeta(TTarget* Target, const FMetaPair* Pairs, int32 NumPairs)
-{
+void SetMeta(TTarget* Target, const FMetaPair* Pairs, int32 NumPairs) {
 #if WITH_METADATA
     for (int32 Index = 0; Index < NumPairs; ++Index) {
         if constexpr (std::is_base_of_v<FField, TTarget>) {
@@ -45,8 +37,7 @@ void SetMeta(TTarget* Target, const FMetaPair* Pairs, int32 NumPairs)
 
 /** A rooted, native object of an intrinsic class. */
 template <typename T>
-T* NewNative(UObject* Outer, FName Name)
-{
+T* NewNative(UObject* Outer, FName Name) {
     void* Memory = FObjectSystem::AllocateObject(sizeof(T), alignof(T));
     FObjectSystem::SetNextIdentity(T::StaticClass(), Outer, Name, RF_Public | RF_Standalone | RF_MarkAsNative,
         EInternalObjectFlags::RootSet | EInternalObjectFlags::Native);
@@ -54,14 +45,12 @@ T* NewNative(UObject* Outer, FName Name)
 }
 
 template <typename T>
-T* NewProperty(const FFieldVariant& Owner, const FPropertyTable& Table)
-{
+T* NewProperty(const FFieldVariant& Owner, const FPropertyTable& Table) {
     return new T(Owner, NameOf(Table.Name), RF_Public | RF_MarkAsNative);
 }
 
 /** Finds the bit that SetBit sets, in zeroed memory of the container's size. */
-void FindBit(FBoolProperty* Property, const FPropertyTable& Table)
-{
+void FindBit(FBoolProperty* Property, const FPropertyTable& Table) {
     if (!Table.SetBit) {
         Property->SetBoolSize(sizeof(bool), true);
         return;
@@ -80,16 +69,14 @@ void FindBit(FBoolProperty* Property, const FPropertyTable& Table)
 
 FProperty* BuildProperty(const FFieldVariant& Owner, const FPropertyTable& Table);
 
-FNumericProperty* BuildUnderlying(FEnumProperty* Owner, const FPropertyTable& Table)
-{
+FNumericProperty* BuildUnderlying(FEnumProperty* Owner, const FPropertyTable& Table) {
     FPropertyTable Inner{};
     Inner.Name = "UnderlyingType";
     Inner.Kind = Table.Underlying;
     return CastFieldChecked<FNumericProperty>(BuildProperty(Owner, Inner));
 }
 
-FProperty* BuildPropertyOfKind(const FFieldVariant& Owner, const FPropertyTable& Table)
-{
+FProperty* BuildPropertyOfKind(const FFieldVariant& Owner, const FPropertyTable& Table) {
     switch (Table.Kind) {
     case EPropertyKind::Bool: {
         FBoolProperty* Property = NewProperty<FBoolProperty>(Owner, Table);
@@ -222,8 +209,7 @@ FProperty* BuildPropertyOfKind(const FFieldVariant& Owner, const FPropertyTable&
     return nullptr;
 }
 
-FProperty* BuildProperty(const FFieldVariant& Owner, const FPropertyTable& Table)
-{
+FProperty* BuildProperty(const FFieldVariant& Owner, const FPropertyTable& Table) {
     FProperty* Property = BuildPropertyOfKind(Owner, Table);
     Property->ArrayDim = Table.ArrayDim;
     Property->SetPropertyFlags(static_cast<EPropertyFlags>(Table.Flags));
@@ -238,8 +224,7 @@ FProperty* BuildProperty(const FFieldVariant& Owner, const FPropertyTable& Table
     return Property;
 }
 
-void BuildProperties(UStruct* Owner, const FPropertyTable* const* Tables, int32 NumTables)
-{
+void BuildProperties(UStruct* Owner, const FPropertyTable* const* Tables, int32 NumTables) {
     FField** Tail = &Owner->ChildProperties;
     for (int32 Index = 0; Index < NumTables; ++Index) {
         FProperty* Property = BuildProperty(Owner, *Tables[Index]);
@@ -249,19 +234,18 @@ void BuildProperties(UStruct* Owner, const FPropertyTable* const* Tables, int32 
 }
 
 /** The compiler's sizes must be the ones that reflection computed, or values would be copied with wrong lengths. */
-void CheckSizes(const UStruct* Owner, const FPropertyTable* const* Tables, int32 NumTables)
-{
+void CheckSizes(const UStruct* Owner, const FPropertyTable* const* Tables, int32 NumTables) {
     const FField* Field = Owner->ChildProperties;
     for (int32 Index = 0; Index < NumTables; ++Index, Field = Field->Next) {
         const FProperty* Property = static_cast<const FProperty*>(Field);
         const int32 Expected = Tables[Index]->ElementSize;
-        checkf(Expected == 0 || Expected == Property->GetElementSize(), TEXT("%s: C++ says %d bytes, its property says %d"),
-            *Property->GetPathName(), Expected, Property->GetElementSize());
+        checkf(Expected == 0 || Expected == Property->GetElementSize(),
+            TEXT("%s: C++ says %d bytes, its property says %d"), *Property->GetPathName(), Expected,
+            Property->GetElementSize());
     }
 }
 
-void FillFunction(UFunction* Function, const FFunctionTable& Table)
-{
+void FillFunction(UFunction* Function, const FFunctionTable& Table) {
     Function->FunctionFlags = Table.Flags;
     Function->PropertiesSize = Table.ParmsSize;
     Function->MinAlignment = Table.ParmsAlignment > 0 ? Table.ParmsAlignment : 1;
@@ -272,8 +256,7 @@ void FillFunction(UFunction* Function, const FFunctionTable& Table)
 }
 
 /** Gives a class its interfaces, functions and properties, after its super class (whose functions it may override). */
-void BuildClass(UClass* Class, const TMap<UClass*, const FClassTable*>& Tables)
-{
+void BuildClass(UClass* Class, const TMap<UClass*, const FClassTable*>& Tables) {
     const FClassTable* const* Found = Tables.Find(Class);
     if (!Found || Class->HasAnyClassFlags(CLASS_Constructed)) {
         return;
@@ -285,7 +268,8 @@ void BuildClass(UClass* Class, const TMap<UClass*, const FClassTable*>& Tables)
     }
     SetMeta(Class, Table.Meta, Table.NumMeta);
     for (int32 Index = 0; Index < Table.NumInterfaces; ++Index) {
-        Class->Interfaces.Add(FImplementedInterface(Table.Interfaces[Index].InterfaceFunc(), Table.Interfaces[Index].Offset, false));
+        Class->Interfaces.Add(
+            FImplementedInterface(Table.Interfaces[Index].InterfaceFunc(), Table.Interfaces[Index].Offset, false));
     }
     for (int32 Index = 0; Index < Table.NumFunctions; ++Index) {
         const FFunctionTable& FunctionTable = *Table.Functions[Index];
@@ -301,8 +285,7 @@ void BuildClass(UClass* Class, const TMap<UClass*, const FClassTable*>& Tables)
 }
 
 /** Links a class after its super class. */
-void LinkClass(UClass* Class, TMap<UClass*, const FClassTable*>& Unlinked)
-{
+void LinkClass(UClass* Class, TMap<UClass*, const FClassTable*>& Unlinked) {
     const FClassTable* const* Found = Unlinked.Find(Class);
     if (!Found) {
         return;
@@ -315,39 +298,36 @@ void LinkClass(UClass* Class, TMap<UClass*, const FClassTable*>& Unlinked)
     Class->Link(false);
     CheckSizes(Class, Table->Properties, Table->NumProperties);
 }
-}  // namespace
+} // namespace
 
-FHeaderRegistrar::FHeaderRegistrar(const FClassEntry* InClasses, int32 InNumClasses, UScriptStruct* (*const* InStructs)(),
-    int32 InNumStructs, UEnum* (*const* InEnums)(), int32 InNumEnums, UFunction* (*const* InDelegates)(), int32 InNumDelegates)
-    : Classes(InClasses), NumClasses(InNumClasses), Structs(InStructs), NumStructs(InNumStructs), Enums(InEnums), NumEnums(InNumEnums),
-      Delegates(InDelegates), NumDelegates(InNumDelegates)
-{
+FHeaderRegistrar::FHeaderRegistrar(const FClassEntry* InClasses, int32 InNumClasses,
+    UScriptStruct* (*const* InStructs)(), int32 InNumStructs, UEnum* (*const* InEnums)(), int32 InNumEnums,
+    UFunction* (*const* InDelegates)(), int32 InNumDelegates)
+    : Classes(InClasses), NumClasses(InNumClasses), Structs(InStructs), NumStructs(InNumStructs), Enums(InEnums),
+      NumEnums(InNumEnums), Delegates(InDelegates), NumDelegates(InNumDelegates) {
     *GPendingHeadersTail = this;
     GPendingHeadersTail = &Next;
 }
 
-FPackageRegistrar::FPackageRegistrar(const TCHAR* InPackage) : Package(InPackage)
-{
+FPackageRegistrar::FPackageRegistrar(const TCHAR* InPackage) : Package(InPackage) {
     *GPendingPackagesTail = this;
     GPendingPackagesTail = &Next;
 }
 
-void MakeClassShell(const FClassTable& Table, UClass*& Result)
-{
+void MakeClassShell(const FClassTable& Table, UClass*& Result) {
     if (Result) {
         return;
     }
     const FString Name = FromUtf8(Table.Name);
-    FObjectSystem::CreateNativeClass({&Result, Table.Package, *Name, static_cast<SIZE_T>(Table.Size), static_cast<SIZE_T>(Table.Alignment),
-        Table.Flags, CASTCLASS_None, Table.ConfigName, Table.Constructor, Table.AddReferencedObjects, Table.SuperFunc, Table.WithinFunc,
-        nullptr});
+    FObjectSystem::CreateNativeClass({&Result, Table.Package, *Name, static_cast<SIZE_T>(Table.Size),
+        static_cast<SIZE_T>(Table.Alignment), Table.Flags, CASTCLASS_None, Table.ConfigName, Table.Constructor,
+        Table.AddReferencedObjects, Table.SuperFunc, Table.WithinFunc, nullptr});
     for (int32 Index = 0; Index < Table.NumNatives; ++Index) {
         Result->AddNativeFunction(Table.Natives[Index].NameUTF8, Table.Natives[Index].Pointer);
     }
 }
 
-UScriptStruct* FindOrBuildStruct(const FStructTable& Table, UScriptStruct*& Result)
-{
+UScriptStruct* FindOrBuildStruct(const FStructTable& Table, UScriptStruct*& Result) {
     if (Result) {
         return Result;
     }
@@ -369,8 +349,7 @@ UScriptStruct* FindOrBuildStruct(const FStructTable& Table, UScriptStruct*& Resu
     return Struct;
 }
 
-UEnum* FindOrBuildEnum(const FEnumTable& Table, UEnum*& Result)
-{
+UEnum* FindOrBuildEnum(const FEnumTable& Table, UEnum*& Result) {
     if (Result) {
         return Result;
     }
@@ -394,8 +373,7 @@ UEnum* FindOrBuildEnum(const FEnumTable& Table, UEnum*& Result)
     return Enum;
 }
 
-UFunction* FindOrBuildDelegate(const TCHAR* Package, const FFunctionTable& Table, UFunction*& Result)
-{
+UFunction* FindOrBuildDelegate(const TCHAR* Package, const FFunctionTable& Table, UFunction*& Result) {
     if (Result) {
         return Result;
     }
@@ -413,32 +391,23 @@ UFunction* FindOrBuildDelegate(const TCHAR* Package, const FFunctionTable& Table
     FillFunction(Result, Table);
     return Result;
 }
-}  // namespace GeneratedTables
+} // namespace GeneratedTables
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace
-{
+namespace {
 bool GObjectSystemReady = false;
 
 /** Binds ProcessNewlyLoadedUObjects to the module manager when this library is loaded. */
-struct FModuleHook
-{
-    FModuleHook()
-    {
-        FModuleManager::Get().OnProcessLoadedObjectsCallback().AddStatic(&ProcessNewlyLoadedUObjects);
-    }
+struct FModuleHook {
+    FModuleHook() { FModuleManager::Get().OnProcessLoadedObjectsCallback().AddStatic(&ProcessNewlyLoadedUObjects); }
 };
 const FModuleHook GModuleHook;
-}  // namespace
+} // namespace
 
-bool UObjectInitialized()
-{
-    return GObjectSystemReady;
-}
+bool UObjectInitialized() { return GObjectSystemReady; }
 
-void ProcessNewlyLoadedUObjects(FName Package, bool bCanProcessNewlyLoadedObjects)
-{
+void ProcessNewlyLoadedUObjects(FName Package, bool bCanProcessNewlyLoadedObjects) {
     using namespace GeneratedTables;
     if (!bCanProcessNewlyLoadedObjects) {
         return;

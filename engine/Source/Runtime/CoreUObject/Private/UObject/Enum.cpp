@@ -6,29 +6,24 @@
 #include "UObject/Package.h"
 #include "UObject/UObjectHash.h"
 
-namespace
-{
+namespace {
 /** All enums by C++ type and all entries by full name. Lives until the process ends. */
-struct FEnumIndex
-{
+struct FEnumIndex {
     TMap<FString, UEnum*> ByCppType;
     TMap<FName, UEnum*> ByEntry;
 };
-FEnumIndex& EnumIndex()
-{
+FEnumIndex& EnumIndex() {
     static FEnumIndex& Instance = *new FEnumIndex;
     return Instance;
 }
 
-FString ShortName(const FString& FullName)
-{
+FString ShortName(const FString& FullName) {
     const int32 Separator = FullName.Find(TEXT("::"), ESearchCase::CaseSensitive, ESearchDir::FromEnd);
     return Separator == INDEX_NONE ? FullName : FullName.Mid(Separator + 2);
 }
-}  // namespace
+} // namespace
 
-UEnum::~UEnum()
-{
+UEnum::~UEnum() {
     FEnumIndex& Index = EnumIndex();
     UEnum* const* Registered = Index.ByCppType.Find(CppType);
     if (Registered && *Registered == this) {
@@ -42,8 +37,8 @@ UEnum::~UEnum()
     }
 }
 
-bool UEnum::SetEnums(TArray<TPair<FName, int64>>& InNames, ECppForm InCppForm, EEnumFlags InFlags, bool bAddMaxKeyIfMissing)
-{
+bool UEnum::SetEnums(
+    TArray<TPair<FName, int64>>& InNames, ECppForm InCppForm, EEnumFlags InFlags, bool bAddMaxKeyIfMissing) {
     Names = InNames;
     CppForm = InCppForm;
     EnumFlags = InFlags;
@@ -65,9 +60,9 @@ bool UEnum::SetEnums(TArray<TPair<FName, int64>>& InNames, ECppForm InCppForm, E
     return true;
 }
 
-int32 UEnum::GetIndexByName(FName InName, EGetByNameFlags Flags) const
-{
-    const ENameCase Case = EnumHasAnyFlags(Flags, EGetByNameFlags::CaseSensitive) ? ENameCase::CaseSensitive : ENameCase::IgnoreCase;
+int32 UEnum::GetIndexByName(FName InName, EGetByNameFlags Flags) const {
+    const ENameCase Case =
+        EnumHasAnyFlags(Flags, EGetByNameFlags::CaseSensitive) ? ENameCase::CaseSensitive : ENameCase::IgnoreCase;
     for (int32 Index = 0; Index < Names.Num(); ++Index) {
         if (Names[Index].Key.IsEqual(InName, Case)) {
             return Index;
@@ -88,15 +83,14 @@ int32 UEnum::GetIndexByName(FName InName, EGetByNameFlags Flags) const
             return GetIndexByName(Short, Flags);
         }
     }
-    ensureMsgf(!EnumHasAnyFlags(Flags, EGetByNameFlags::ErrorIfNotFound), TEXT("Enum %s has no entry '%s'"), *GetName(), *Text);
+    ensureMsgf(!EnumHasAnyFlags(Flags, EGetByNameFlags::ErrorIfNotFound), TEXT("Enum %s has no entry '%s'"), *GetName(),
+        *Text);
     return INDEX_NONE;
 }
-int32 UEnum::GetIndexByNameString(const FString& SearchString, EGetByNameFlags Flags) const
-{
+int32 UEnum::GetIndexByNameString(const FString& SearchString, EGetByNameFlags Flags) const {
     return GetIndexByName(FName(*SearchString), Flags);
 }
-int32 UEnum::GetIndexByValue(int64 InValue) const
-{
+int32 UEnum::GetIndexByValue(int64 InValue) const {
     for (int32 Index = 0; Index < Names.Num(); ++Index) {
         if (Names[Index].Value == InValue) {
             return Index;
@@ -104,24 +98,15 @@ int32 UEnum::GetIndexByValue(int64 InValue) const
     }
     return INDEX_NONE;
 }
-FName UEnum::GetNameByIndex(int32 Index) const
-{
+FName UEnum::GetNameByIndex(int32 Index) const {
     return Names.IsValidIndex(Index) ? Names[Index].Key : FName(NAME_None);
 }
-FName UEnum::GetNameByValue(int64 InValue) const
-{
-    return GetNameByIndex(GetIndexByValue(InValue));
-}
-FString UEnum::GetNameStringByIndex(int32 InIndex) const
-{
+FName UEnum::GetNameByValue(int64 InValue) const { return GetNameByIndex(GetIndexByValue(InValue)); }
+FString UEnum::GetNameStringByIndex(int32 InIndex) const {
     return Names.IsValidIndex(InIndex) ? ShortName(Names[InIndex].Key.ToString()) : FString();
 }
-FString UEnum::GetNameStringByValue(int64 InValue) const
-{
-    return GetNameStringByIndex(GetIndexByValue(InValue));
-}
-bool UEnum::FindNameStringByValue(FString& Out, int64 InValue) const
-{
+FString UEnum::GetNameStringByValue(int64 InValue) const { return GetNameStringByIndex(GetIndexByValue(InValue)); }
+bool UEnum::FindNameStringByValue(FString& Out, int64 InValue) const {
     const int32 Index = GetIndexByValue(InValue);
     if (Index == INDEX_NONE) {
         return false;
@@ -129,30 +114,25 @@ bool UEnum::FindNameStringByValue(FString& Out, int64 InValue) const
     Out = GetNameStringByIndex(Index);
     return true;
 }
-int64 UEnum::GetValueByIndex(int32 Index) const
-{
+int64 UEnum::GetValueByIndex(int32 Index) const {
     check(Names.IsValidIndex(Index));
     return Names[Index].Value;
 }
-int64 UEnum::GetValueByName(FName InName, EGetByNameFlags Flags) const
-{
+int64 UEnum::GetValueByName(FName InName, EGetByNameFlags Flags) const {
     const int32 Index = GetIndexByName(InName, Flags);
     return Index == INDEX_NONE ? INDEX_NONE : Names[Index].Value;
 }
-int64 UEnum::GetValueByNameString(const FString& SearchString, EGetByNameFlags Flags) const
-{
+int64 UEnum::GetValueByNameString(const FString& SearchString, EGetByNameFlags Flags) const {
     return GetValueByName(FName(*SearchString), Flags);
 }
-int64 UEnum::GetMaxEnumValue() const
-{
+int64 UEnum::GetMaxEnumValue() const {
     int64 Max = Names.IsEmpty() ? 0 : Names[0].Value;
     for (const TPair<FName, int64>& Entry : Names) {
         Max = FMath::Max(Max, Entry.Value);
     }
     return Max;
 }
-bool UEnum::IsValidEnumValueOrBitfield(int64 InValue) const
-{
+bool UEnum::IsValidEnumValueOrBitfield(int64 InValue) const {
     if (!HasAnyEnumFlags(EEnumFlags::Flags)) {
         return IsValidEnumValue(InValue);
     }
@@ -162,8 +142,7 @@ bool UEnum::IsValidEnumValueOrBitfield(int64 InValue) const
     }
     return (InValue & ~All) == 0;
 }
-FString UEnum::GetValueOrBitfieldAsString(int64 InValue) const
-{
+FString UEnum::GetValueOrBitfieldAsString(int64 InValue) const {
     if (!HasAnyEnumFlags(EEnumFlags::Flags) || IsValidEnumValue(InValue)) {
         return GetNameStringByValue(InValue);
     }
@@ -177,8 +156,7 @@ FString UEnum::GetValueOrBitfieldAsString(int64 InValue) const
     return Result;
 }
 
-FText UEnum::GetDisplayNameTextByIndex(int32 InIndex) const
-{
+FText UEnum::GetDisplayNameTextByIndex(int32 InIndex) const {
     if (!Names.IsValidIndex(InIndex)) {
         return FText::GetEmpty();
     }
@@ -193,12 +171,10 @@ FText UEnum::GetDisplayNameTextByIndex(int32 InIndex) const
 #endif
     return FText::FromString(FName::NameToDisplayString(GetNameStringByIndex(InIndex), false));
 }
-FText UEnum::GetDisplayNameTextByValue(int64 InValue) const
-{
+FText UEnum::GetDisplayNameTextByValue(int64 InValue) const {
     return GetDisplayNameTextByIndex(GetIndexByValue(InValue));
 }
-bool UEnum::FindDisplayNameTextByValue(FText& Out, int64 InValue) const
-{
+bool UEnum::FindDisplayNameTextByValue(FText& Out, int64 InValue) const {
     const int32 Index = GetIndexByValue(InValue);
     if (Index == INDEX_NONE) {
         return false;
@@ -207,8 +183,7 @@ bool UEnum::FindDisplayNameTextByValue(FText& Out, int64 InValue) const
     return true;
 }
 
-FString UEnum::GenerateEnumPrefix() const
-{
+FString UEnum::GenerateEnumPrefix() const {
     if (Names.IsEmpty()) {
         return GetName();
     }
@@ -227,8 +202,7 @@ FString UEnum::GenerateEnumPrefix() const
     }
     return GetName();
 }
-bool UEnum::ContainsExistingMax() const
-{
+bool UEnum::ContainsExistingMax() const {
     if (GetIndexByName(FName(*GenerateFullEnumName(TEXT("MAX")), FNAME_Find)) != INDEX_NONE &&
         !FName(*GenerateFullEnumName(TEXT("MAX")), FNAME_Find).IsNone()) {
         return true;
@@ -236,21 +210,19 @@ bool UEnum::ContainsExistingMax() const
     const FName PrefixMax(*GenerateFullEnumName(*(GenerateEnumPrefix() + TEXT("_MAX"))), FNAME_Find);
     return !PrefixMax.IsNone() && GetIndexByName(PrefixMax) != INDEX_NONE;
 }
-FString UEnum::GenerateFullEnumName(const TCHAR* InEnumName) const
-{
-    return CppForm == ECppForm::Regular || IsFullEnumName(InEnumName) ? FString(InEnumName) : GetName() + TEXT("::") + InEnumName;
+FString UEnum::GenerateFullEnumName(const TCHAR* InEnumName) const {
+    return CppForm == ECppForm::Regular || IsFullEnumName(InEnumName) ? FString(InEnumName)
+                                                                      : GetName() + TEXT("::") + InEnumName;
 }
 
-int64 UEnum::LookupEnumName(FName, FName TestName, UEnum** FoundEnum)
-{
+int64 UEnum::LookupEnumName(FName, FName TestName, UEnum** FoundEnum) {
     UEnum* const* Owner = EnumIndex().ByEntry.Find(TestName);
     if (FoundEnum) {
         *FoundEnum = Owner ? *Owner : nullptr;
     }
     return Owner ? (*Owner)->GetValueByName(TestName) : INDEX_NONE;
 }
-int64 UEnum::LookupEnumNameSlow(const TCHAR* TestShortName, UEnum** FoundEnum)
-{
+int64 UEnum::LookupEnumNameSlow(const TCHAR* TestShortName, UEnum** FoundEnum) {
     const int64 Direct = LookupEnumName(NAME_None, FName(TestShortName), FoundEnum);
     if (Direct != INDEX_NONE) {
         return Direct;
@@ -263,8 +235,7 @@ int64 UEnum::LookupEnumNameSlow(const TCHAR* TestShortName, UEnum** FoundEnum)
     }
     return INDEX_NONE;
 }
-int64 UEnum::ParseEnum(const TCHAR*& Str)
-{
+int64 UEnum::ParseEnum(const TCHAR*& Str) {
     FString Token;
     while (FChar::IsAlnum(*Str) || *Str == TCHAR('_') || *Str == TCHAR('.') || *Str == TCHAR(':')) {
         Token.AppendChar(*Str++);
@@ -278,22 +249,19 @@ int64 UEnum::ParseEnum(const TCHAR*& Str)
 }
 
 #if WITH_METADATA
-bool UEnum::HasMetaData(const TCHAR* Key, int32 NameIndex) const
-{
+bool UEnum::HasMetaData(const TCHAR* Key, int32 NameIndex) const {
     if (NameIndex == INDEX_NONE) {
         return UField::HasMetaData(Key);
     }
     return UField::HasMetaData(*(GetNameStringByIndex(NameIndex) + TEXT(".") + Key));
 }
-FString UEnum::GetMetaData(const TCHAR* Key, int32 NameIndex, bool) const
-{
+FString UEnum::GetMetaData(const TCHAR* Key, int32 NameIndex, bool) const {
     if (NameIndex == INDEX_NONE) {
         return UField::GetMetaData(Key);
     }
     return UField::GetMetaData(*(GetNameStringByIndex(NameIndex) + TEXT(".") + Key));
 }
-void UEnum::SetMetaData(const TCHAR* Key, const TCHAR* InValue, int32 NameIndex) const
-{
+void UEnum::SetMetaData(const TCHAR* Key, const TCHAR* InValue, int32 NameIndex) const {
     UEnum* This = const_cast<UEnum*>(this);
     if (NameIndex == INDEX_NONE) {
         This->UField::SetMetaData(Key, InValue);
@@ -301,19 +269,16 @@ void UEnum::SetMetaData(const TCHAR* Key, const TCHAR* InValue, int32 NameIndex)
         This->UField::SetMetaData(*(GetNameStringByIndex(NameIndex) + TEXT(".") + Key), InValue);
     }
 }
-FText UEnum::GetToolTipTextByIndex(int32 NameIndex) const
-{
+FText UEnum::GetToolTipTextByIndex(int32 NameIndex) const {
     const FString ToolTip = GetMetaData(TEXT("ToolTip"), NameIndex);
     return ToolTip.IsEmpty() ? GetDisplayNameTextByIndex(NameIndex) : FText::FromString(ToolTip);
 }
 #endif
 
-namespace UE::CoreUObject::Private
-{
-UEnum* FindEnumOfCppType(const char* TypeName)
-{
+namespace UE::CoreUObject::Private {
+UEnum* FindEnumOfCppType(const char* TypeName) {
     UEnum* const* Found = EnumIndex().ByCppType.Find(FString(TypeName));
     checkf(Found, TEXT("StaticEnum<%s>: not a UENUM, or its module is not loaded"), *FString(TypeName));
     return *Found;
 }
-}
+} // namespace UE::CoreUObject::Private

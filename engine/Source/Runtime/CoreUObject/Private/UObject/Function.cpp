@@ -9,14 +9,12 @@
 
 DEFINE_LOG_CATEGORY_STATIC(LogScript, Log, All);
 
-void UFunction::Link(bool bComputeLayout)
-{
+void UFunction::Link(bool bComputeLayout) {
     UStruct::Link(bComputeLayout);
     InitializeDerivedMembers();
 }
 
-void UFunction::InitializeDerivedMembers()
-{
+void UFunction::InitializeDerivedMembers() {
     NumParms = 0;
     ParmsSize = 0;
     ReturnValueOffset = 0xFFFF;
@@ -36,8 +34,7 @@ void UFunction::InitializeDerivedMembers()
     }
 }
 
-void UFunction::Bind()
-{
+void UFunction::Bind() {
     UClass* Class = GetOuterUClass();
     if (Class && HasAnyFunctionFlags(FUNC_Native)) {
         for (const FNativeFunctionLookup& Entry : Class->NativeFunctionLookupTable) {
@@ -49,8 +46,7 @@ void UFunction::Bind()
     }
 }
 
-void UFunction::Invoke(UObject* Obj, FFrame& Stack, RESULT_DECL)
-{
+void UFunction::Invoke(UObject* Obj, FFrame& Stack, RESULT_DECL) {
     checkf(Func, TEXT("%s has no native function"), *GetPathName());
     // Thunks of interfaces expect the address of the I-class.
     UClass* OuterClass = GetOuterUClass();
@@ -61,16 +57,9 @@ void UFunction::Invoke(UObject* Obj, FFrame& Stack, RESULT_DECL)
     Func(Obj, Stack, RESULT_PARAM);
 }
 
-UClass* UFunction::GetOuterUClass() const
-{
-    return Cast<UClass>(GetOuter());
-}
-UFunction* UFunction::GetSuperFunction() const
-{
-    return Cast<UFunction>(GetSuperStruct());
-}
-FProperty* UFunction::GetReturnProperty() const
-{
+UClass* UFunction::GetOuterUClass() const { return Cast<UClass>(GetOuter()); }
+UFunction* UFunction::GetSuperFunction() const { return Cast<UFunction>(GetSuperStruct()); }
+FProperty* UFunction::GetReturnProperty() const {
     for (FField* Field = ChildProperties; Field; Field = Field->Next) {
         FProperty* Property = static_cast<FProperty*>(Field);
         if (Property->HasAnyPropertyFlags(CPF_ReturnParm)) {
@@ -79,8 +68,7 @@ FProperty* UFunction::GetReturnProperty() const
     }
     return nullptr;
 }
-bool UFunction::IsSignatureCompatibleWith(const UFunction* OtherFunction) const
-{
+bool UFunction::IsSignatureCompatibleWith(const UFunction* OtherFunction) const {
     if (this == OtherFunction) {
         return true;
     }
@@ -93,7 +81,8 @@ bool UFunction::IsSignatureCompatibleWith(const UFunction* OtherFunction) const
         const FProperty* PropertyA = static_cast<const FProperty*>(A);
         const FProperty* PropertyB = static_cast<const FProperty*>(B);
         const uint64 Compared = CPF_ReturnParm | CPF_OutParm;
-        if (!PropertyA->SameType(PropertyB) || (PropertyA->PropertyFlags & Compared) != (PropertyB->PropertyFlags & Compared)) {
+        if (!PropertyA->SameType(PropertyB) ||
+            (PropertyA->PropertyFlags & Compared) != (PropertyB->PropertyFlags & Compared)) {
             return false;
         }
     }
@@ -102,37 +91,30 @@ bool UFunction::IsSignatureCompatibleWith(const UFunction* OtherFunction) const
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-void FFrame::StepExplicitProperty(void* const Result, FProperty* Property)
-{
+void FFrame::StepExplicitProperty(void* const Result, FProperty* Property) {
     MostRecentProperty = Property;
-    MostRecentPropertyAddress =
-        Property->HasAnyPropertyFlags(CPF_OutParm) ? FindOutParm(Property) : Property->ContainerPtrToValuePtr<uint8>(Locals);
+    MostRecentPropertyAddress = Property->HasAnyPropertyFlags(CPF_OutParm)
+                                    ? FindOutParm(Property)
+                                    : Property->ContainerPtrToValuePtr<uint8>(Locals);
     if (Result) {
         Property->CopyCompleteValueToScriptVM(Result, MostRecentPropertyAddress);
     }
 }
-void FFrame::Serialize(const TCHAR* V, ELogVerbosity::Type, const FName&)
-{
+void FFrame::Serialize(const TCHAR* V, ELogVerbosity::Type, const FName&) {
     UE_LOG(LogScript, Warning, TEXT("%s: %s"), *GetPathNameSafe(Node), V);
 }
-void RPC_ValidateFailed(const TCHAR* Reason)
-{
+void RPC_ValidateFailed(const TCHAR* Reason) {
     UE_LOG(LogScript, Warning, TEXT("A remote call was refused by %s"), Reason);
 }
 
-UFunction* UObject::FindFunction(FName InName) const
-{
-    return GetClass()->FindFunctionByName(InName);
-}
-UFunction* UObject::FindFunctionChecked(FName InName) const
-{
+UFunction* UObject::FindFunction(FName InName) const { return GetClass()->FindFunctionByName(InName); }
+UFunction* UObject::FindFunctionChecked(FName InName) const {
     UFunction* Result = FindFunction(InName);
     checkf(Result, TEXT("Failed to find function %s in %s"), *InName.ToString(), *GetFullName());
     return Result;
 }
 
-void UObject::ProcessEvent(UFunction* Function, void* Parms)
-{
+void UObject::ProcessEvent(UFunction* Function, void* Parms) {
     checkf(Function, TEXT("ProcessEvent on %s: no function was given"), *GetFullName());
     checkf(!IsUnreachable(), TEXT("%s called on an unreachable object"), *Function->GetName());
     // As UE: objects that are garbage take no calls, and an event that nobody implements does nothing.
@@ -157,8 +139,8 @@ void UObject::ProcessEvent(UFunction* Function, void* Parms)
     Function->Invoke(this, Frame, ReturnAddress);
 }
 
-bool UObject::CallFunctionByNameWithArguments(const TCHAR* Cmd, FOutputDevice& Ar, UObject* Executor, bool bForceCallWithNonExec)
-{
+bool UObject::CallFunctionByNameWithArguments(
+    const TCHAR* Cmd, FOutputDevice& Ar, UObject* Executor, bool bForceCallWithNonExec) {
     PropertyText::FReader Reader(Cmd);
     Reader.SkipSpace();
     const FString Name = Reader.ReadName();
@@ -166,8 +148,9 @@ bool UObject::CallFunctionByNameWithArguments(const TCHAR* Cmd, FOutputDevice& A
     if (!Function || !(Function->HasAnyFunctionFlags(FUNC_Exec) || bForceCallWithNonExec)) {
         return false;
     }
-    uint8* Parms = static_cast<uint8*>(FMemory::MallocZeroed(
-        static_cast<SIZE_T>(FMath::Max<int32>(Function->GetStructureSize(), 1)), static_cast<uint32>(Function->GetMinAlignment())));
+    uint8* Parms = static_cast<uint8*>(
+        FMemory::MallocZeroed(static_cast<SIZE_T>(FMath::Max<int32>(Function->GetStructureSize(), 1)),
+            static_cast<uint32>(Function->GetMinAlignment())));
     Function->InitializeStruct(Parms);
     bool bFailed = false;
     for (FField* Field = Function->ChildProperties; Field && !bFailed; Field = Field->Next) {
@@ -177,7 +160,8 @@ bool UObject::CallFunctionByNameWithArguments(const TCHAR* Cmd, FOutputDevice& A
         }
         // The executor stands in for a first object parameter, as for console commands.
         FObjectProperty* ObjectProperty = CastField<FObjectProperty>(Property);
-        if (ObjectProperty && Executor && Field == Function->ChildProperties && Executor->IsA(ObjectProperty->PropertyClass)) {
+        if (ObjectProperty && Executor && Field == Function->ChildProperties &&
+            Executor->IsA(ObjectProperty->PropertyClass)) {
             ObjectProperty->SetObjectPropertyValue_InContainer(Parms, Executor);
             continue;
         }
@@ -186,7 +170,8 @@ bool UObject::CallFunctionByNameWithArguments(const TCHAR* Cmd, FOutputDevice& A
 #if WITH_METADATA
             const FString* Default = Function->FindMetaData(*(FString(TEXT("CPP_Default_")) + Property->GetName()));
             if (Default) {
-                Property->ImportText_Direct(**Default, Property->ContainerPtrToValuePtr<void>(Parms), this, PPF_None, &Ar);
+                Property->ImportText_Direct(
+                    **Default, Property->ContainerPtrToValuePtr<void>(Parms), this, PPF_None, &Ar);
                 continue;
             }
 #endif

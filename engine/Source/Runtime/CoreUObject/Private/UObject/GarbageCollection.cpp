@@ -13,32 +13,27 @@
 
 DEFINE_LOG_CATEGORY_STATIC(LogGarbage, Log, All);
 
-namespace
-{
+namespace {
 bool GIsCollecting = false;
 int32 GCollectionLocks = 0;
 /** Objects past BeginDestroy whose memory waits to be freed. */
-TArray<UObject*>& PendingPurge()
-{
+TArray<UObject*>& PendingPurge() {
     static TArray<UObject*>& Instance = *new TArray<UObject*>;
     return Instance;
 }
 
 /** Marks what it visits as reachable and nulls references to garbage. */
-class FMarker final : public FReferenceCollector
-{
+class FMarker final : public FReferenceCollector {
 public:
     /** Marks an object; its references are walked later, so that long chains do not nest. */
-    void Mark(UObject* Object)
-    {
+    void Mark(UObject* Object) {
         FUObjectItem* Item = GUObjectArray.ObjectToObjectItem(Object);
         if (Item->IsUnreachable()) {
             Item->Flags &= ~static_cast<int32>(EInternalObjectFlags::Unreachable);
             Work.Add(Object);
         }
     }
-    void WalkAll()
-    {
+    void WalkAll() {
         while (!Work.IsEmpty()) {
             UObject* Object = Work.Pop(EAllowShrinking::No);
             UClass* Class = Object->GetClass();
@@ -55,8 +50,7 @@ public:
     virtual void AllowEliminatingReferences(bool bAllow) override { bMayEliminate = bAllow; }
 
 protected:
-    virtual void HandleObjectReference(UObject*& InObject, const UObject*, const FProperty*) override
-    {
+    virtual void HandleObjectReference(UObject*& InObject, const UObject*, const FProperty*) override {
         if (!InObject) {
             return;
         }
@@ -74,8 +68,7 @@ private:
     bool bMayEliminate = true;
 };
 
-void BeginDestroyAll(const TArray<UObject*>& Objects)
-{
+void BeginDestroyAll(const TArray<UObject*>& Objects) {
     FCoreUObjectDelegates::PreGarbageCollectConditionalBeginDestroy.Broadcast();
     for (UObject* Object : Objects) {
         Object->ConditionalBeginDestroy();
@@ -84,8 +77,7 @@ void BeginDestroyAll(const TArray<UObject*>& Objects)
 }
 
 /** Finishes objects that are ready; returns true when none is left. TimeLimit 0 means no limit. */
-bool Purge(double TimeLimit)
-{
+bool Purge(double TimeLimit) {
     TArray<UObject*>& Pending = PendingPurge();
     const double End = FPlatformTime::Seconds() + TimeLimit;
     int32 Kept = 0;
@@ -110,8 +102,7 @@ bool Purge(double TimeLimit)
 }
 
 /** Purges until all objects agree to be destroyed; gives up on objects that never do. */
-void PurgeAll()
-{
+void PurgeAll() {
     const double Deadline = FPlatformTime::Seconds() + 10.0;
     while (!Purge(0)) {
         if (FPlatformTime::Seconds() > Deadline) {
@@ -122,45 +113,22 @@ void PurgeAll()
         FPlatformProcess::Sleep(0.001f);
     }
 }
-}  // namespace
+} // namespace
 
-TArray<FGCObject*>& FObjectSystem::GCObjects()
-{
+TArray<FGCObject*>& FObjectSystem::GCObjects() {
     static TArray<FGCObject*>& Instance = *new TArray<FGCObject*>;
     return Instance;
 }
-void FGCObject::RegisterGCObject()
-{
-    FObjectSystem::GCObjects().AddUnique(this);
-}
-void FGCObject::UnregisterGCObject()
-{
-    FObjectSystem::GCObjects().Remove(this);
-}
+void FGCObject::RegisterGCObject() { FObjectSystem::GCObjects().AddUnique(this); }
+void FGCObject::UnregisterGCObject() { FObjectSystem::GCObjects().Remove(this); }
 
-FGCScopeGuard::FGCScopeGuard()
-{
-    ++GCollectionLocks;
-}
-FGCScopeGuard::~FGCScopeGuard()
-{
-    --GCollectionLocks;
-}
+FGCScopeGuard::FGCScopeGuard() { ++GCollectionLocks; }
+FGCScopeGuard::~FGCScopeGuard() { --GCollectionLocks; }
 
-bool IsGarbageCollecting()
-{
-    return GIsCollecting;
-}
-bool IsIncrementalPurgePending()
-{
-    return !PendingPurge().IsEmpty();
-}
-bool IsIncrementalUnhashPending()
-{
-    return false;
-}
-void IncrementalPurgeGarbage(bool bUseTimeLimit, double TimeLimit)
-{
+bool IsGarbageCollecting() { return GIsCollecting; }
+bool IsIncrementalPurgePending() { return !PendingPurge().IsEmpty(); }
+bool IsIncrementalUnhashPending() { return false; }
+void IncrementalPurgeGarbage(bool bUseTimeLimit, double TimeLimit) {
     if (bUseTimeLimit) {
         Purge(TimeLimit > 0 ? TimeLimit : 0.002);
     } else {
@@ -168,8 +136,7 @@ void IncrementalPurgeGarbage(bool bUseTimeLimit, double TimeLimit)
     }
 }
 
-bool TryCollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge)
-{
+bool TryCollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge) {
     if (GIsCollecting || GCollectionLocks > 0 || IsInConstructor()) {
         return false;
     }
@@ -177,8 +144,7 @@ bool TryCollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge)
     return true;
 }
 
-void CollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge)
-{
+void CollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge) {
     checkf(!GIsCollecting, TEXT("CollectGarbage called while garbage is being collected"));
     checkf(!IsInConstructor(), TEXT("CollectGarbage called inside a constructor"));
     if (GCollectionLocks > 0) {
@@ -237,8 +203,8 @@ void CollectGarbage(EObjectFlags KeepFlags, bool bPerformFullPurge)
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-void FReferenceCollector::AddReferencedObject(FWeakObjectPtr& Object, const UObject* ReferencingObject, const FProperty* ReferencingProperty)
-{
+void FReferenceCollector::AddReferencedObject(
+    FWeakObjectPtr& Object, const UObject* ReferencingObject, const FProperty* ReferencingProperty) {
     UObject* Strong = Object.GetEvenIfUnreachable();
     if (Strong) {
         HandleObjectReference(Strong, ReferencingObject, ReferencingProperty);
@@ -248,8 +214,8 @@ void FReferenceCollector::AddReferencedObject(FWeakObjectPtr& Object, const UObj
     }
 }
 
-void FReferenceCollector::AddPropertyReferences(const UStruct* Struct, void* Instance, const UObject* ReferencingObject)
-{
+void FReferenceCollector::AddPropertyReferences(
+    const UStruct* Struct, void* Instance, const UObject* ReferencingObject) {
     for (FProperty* Property = Struct->RefLink; Property; Property = Property->NextRef) {
         Property->CollectReferences(Property->ContainerPtrToValuePtr<void>(Instance), *this, ReferencingObject);
     }
@@ -261,16 +227,11 @@ void FReferenceCollector::AddPropertyReferences(const UStruct* Struct, void* Ins
     }
 }
 
-namespace UE::CoreUObject::Private
-{
-void AddStrongReference(const UObject* Object)
-{
-    ++GUObjectArray.ObjectToObjectItem(Object)->RefCount;
-}
-void ReleaseStrongReference(const UObject* Object)
-{
+namespace UE::CoreUObject::Private {
+void AddStrongReference(const UObject* Object) { ++GUObjectArray.ObjectToObjectItem(Object)->RefCount; }
+void ReleaseStrongReference(const UObject* Object) {
     FUObjectItem* Item = GUObjectArray.ObjectToObjectItem(Object);
     check(Item && Item->RefCount > 0);
     --Item->RefCount;
 }
-}  // namespace UE::CoreUObject::Private
+} // namespace UE::CoreUObject::Private

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The classes that exist without a schema because they are what schemas are turned into, and the making of bare UClass objects.
+// The classes that exist without a schema because they are what schemas are turned into, and the making of bare UClass
+// objects.
 #include "GeneratedRegistry.h"
 #include "ObjectSystem.h"
 #include "UObject/Interface.h"
@@ -7,23 +8,19 @@
 
 bool FObjectSystem::bMetaClassesReady = false;
 
-namespace
-{
+namespace {
 /** Class objects made before UClass and UPackage existed: they get class, outer and table entries afterwards. */
-struct FEarlyClass
-{
+struct FEarlyClass {
     UClass* Class;
     const TCHAR* PackageName;
 };
-TArray<FEarlyClass>& EarlyClasses()
-{
+TArray<FEarlyClass>& EarlyClasses() {
     static TArray<FEarlyClass>& Instance = *new TArray<FEarlyClass>;
     return Instance;
 }
 int32 GCreationDepth = 0;
 
-void FinishEarlyClasses()
-{
+void FinishEarlyClasses() {
     UClass* const ClassClass = UClass::StaticClass();
     UPackage::StaticClass();
     FObjectSystem::bMetaClassesReady = true;
@@ -34,33 +31,35 @@ void FinishEarlyClasses()
         FObjectSystem::SetIdentity(Entry.Class, ClassClass, nullptr);
     }
     for (const FEarlyClass& Entry : Early) {
-        FObjectSystem::SetIdentity(Entry.Class, ClassClass, FObjectSystem::FindOrCreateNativePackage(FName(Entry.PackageName)));
+        FObjectSystem::SetIdentity(
+            Entry.Class, ClassClass, FObjectSystem::FindOrCreateNativePackage(FName(Entry.PackageName)));
         FObjectSystem::Hash(Entry.Class);
     }
 }
-}  // namespace
+} // namespace
 
-UPackage* FObjectSystem::FindOrCreateNativePackage(FName Name)
-{
-    if (UObject* Existing = Find(UPackage::StaticClass(), nullptr, Name, false, RF_NoFlags, EInternalObjectFlags::None)) {
+UPackage* FObjectSystem::FindOrCreateNativePackage(FName Name) {
+    if (UObject* Existing =
+            Find(UPackage::StaticClass(), nullptr, Name, false, RF_NoFlags, EInternalObjectFlags::None)) {
         return static_cast<UPackage*>(Existing);
     }
     void* Memory = AllocateObject(sizeof(UPackage), alignof(UPackage));
-    SetNextIdentity(UPackage::StaticClass(), nullptr, Name, RF_Public, EInternalObjectFlags::RootSet | EInternalObjectFlags::Native);
+    SetNextIdentity(UPackage::StaticClass(), nullptr, Name, RF_Public,
+        EInternalObjectFlags::RootSet | EInternalObjectFlags::Native);
     UPackage* Package = new (static_cast<EInternal*>(Memory)) UPackage;
     Package->SetPackageFlags(PKG_CompiledIn);
     return Package;
 }
 
-void FObjectSystem::CreateNativeClass(const FNativeClassParams& Params)
-{
+void FObjectSystem::CreateNativeClass(const FNativeClassParams& Params) {
     ++GCreationDepth;
     void* Memory = AllocateObject(sizeof(UClass), alignof(UClass));
     const EInternalObjectFlags Internal = EInternalObjectFlags::RootSet | EInternalObjectFlags::Native;
     const EObjectFlags Flags = RF_Public | RF_Standalone | RF_MarkAsNative;
     UClass* Class;
     if (bMetaClassesReady) {
-        SetNextIdentity(UClass::StaticClass(), FindOrCreateNativePackage(FName(Params.PackageName)), FName(Params.Name), Flags, Internal);
+        SetNextIdentity(UClass::StaticClass(), FindOrCreateNativePackage(FName(Params.PackageName)), FName(Params.Name),
+            Flags, Internal);
         Class = new (static_cast<EInternal*>(Memory)) UClass;
     } else {
         SetNextIdentity(nullptr, nullptr, FName(Params.Name), Flags, Internal);
@@ -98,22 +97,20 @@ void FObjectSystem::CreateNativeClass(const FNativeClassParams& Params)
     }
 }
 
-TArray<UClass*>& UnfinishedIntrinsics()
-{
+TArray<UClass*>& UnfinishedIntrinsics() {
     static TArray<UClass*>& Instance = *new TArray<UClass*>;
     return Instance;
 }
 
-#define UE_IMPLEMENT_INTRINSIC(TClass, TSuperClass)                                                                           \
-    UClass* TClass::GetPrivateStaticClass()                                                                                   \
-    {                                                                                                                         \
-        static UClass* Class = nullptr;                                                                                       \
-        if (!Class) {                                                                                                         \
-            FObjectSystem::CreateNativeClass({&Class, StaticPackage(), UE_STATIC_CLASS_NAME(TClass), sizeof(TClass),          \
-                alignof(TClass), StaticClassFlags, StaticClassCastFlags(), TEXT(""), &TClass::__DefaultConstructor,     \
-                &TClass::AddReferencedObjects, &TSuperClass::StaticClass, nullptr, nullptr});                                 \
-        }                                                                                                                     \
-        return Class;                                                                                                         \
+#define UE_IMPLEMENT_INTRINSIC(TClass, TSuperClass)                                                                    \
+    UClass* TClass::GetPrivateStaticClass() {                                                                          \
+        static UClass* Class = nullptr;                                                                                \
+        if (!Class) {                                                                                                  \
+            FObjectSystem::CreateNativeClass({&Class, StaticPackage(), UE_STATIC_CLASS_NAME(TClass), sizeof(TClass),   \
+                alignof(TClass), StaticClassFlags, StaticClassCastFlags(), TEXT(""), &TClass::__DefaultConstructor,    \
+                &TClass::AddReferencedObjects, &TSuperClass::StaticClass, nullptr, nullptr});                          \
+        }                                                                                                              \
+        return Class;                                                                                                  \
     }
 
 UE_IMPLEMENT_INTRINSIC(UField, UObject)
@@ -127,8 +124,7 @@ UE_IMPLEMENT_INTRINSIC(UClass, UStruct)
 UE_IMPLEMENT_INTRINSIC(UPackage, UObject)
 UE_IMPLEMENT_INTRINSIC(UInterface, UObject)
 
-void ForceIntrinsicClasses()
-{
+void ForceIntrinsicClasses() {
     UField::StaticClass();
     UStruct::StaticClass();
     UScriptStruct::StaticClass();

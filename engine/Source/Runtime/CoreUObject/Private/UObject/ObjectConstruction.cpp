@@ -9,45 +9,41 @@
 
 DEFINE_LOG_CATEGORY_STATIC(LogObjectConstruction, Log, All);
 
-namespace
-{
+namespace {
 thread_local FObjectInitializer* GCurrentInitializer = nullptr;
 thread_local int32 GConstructorDepth = 0;
 
 /** Copies the properties that both containers have. */
-void CopyProperties(UObject* Target, const UObject* Source, bool bCopyTransientsFromClassDefaults)
-{
+void CopyProperties(UObject* Target, const UObject* Source, bool bCopyTransientsFromClassDefaults) {
     const UClass* SourceClass = Source->GetClass();
-    const UObject* ClassDefaults = bCopyTransientsFromClassDefaults ? Target->GetClass()->GetDefaultObject(false) : nullptr;
+    const UObject* ClassDefaults =
+        bCopyTransientsFromClassDefaults ? Target->GetClass()->GetDefaultObject(false) : nullptr;
     const UClass* Common = UClass::FindCommonBase(Target->GetClass(), const_cast<UClass*>(SourceClass));
-    for (FProperty* Property = Common ? Common->PropertyLink : nullptr; Property; Property = Property->PropertyLinkNext) {
-        const bool bTransient = Property->HasAnyPropertyFlags(CPF_Transient | CPF_DuplicateTransient | CPF_NonPIEDuplicateTransient);
+    for (FProperty* Property = Common ? Common->PropertyLink : nullptr; Property;
+        Property = Property->PropertyLinkNext) {
+        const bool bTransient =
+            Property->HasAnyPropertyFlags(CPF_Transient | CPF_DuplicateTransient | CPF_NonPIEDuplicateTransient);
         const UObject* From = ClassDefaults && bTransient ? ClassDefaults : Source;
         if (From != Target) {
             Property->CopyCompleteValue_InContainer(Target, From);
         }
     }
 }
-}  // namespace
+} // namespace
 
-int32& FObjectSystem::ConstructorDepth()
-{
-    return GConstructorDepth;
-}
-bool IsInConstructor()
-{
-    return GConstructorDepth > 0;
-}
+int32& FObjectSystem::ConstructorDepth() { return GConstructorDepth; }
+bool IsInConstructor() { return GConstructorDepth > 0; }
 
-UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& Params)
-{
+UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& Params) {
     checkf(Params.Class, TEXT("NewObject: no class was given"));
     UClass* const Class = const_cast<UClass*>(Params.Class);
     const bool bIsDefaultObject = (Params.SetFlags & RF_ClassDefaultObject) != 0;
-    checkf(bIsDefaultObject || !Class->HasAnyClassFlags(CLASS_Abstract), TEXT("NewObject: class %s is abstract; choose a child of it"),
+    checkf(bIsDefaultObject || !Class->HasAnyClassFlags(CLASS_Abstract),
+        TEXT("NewObject: class %s is abstract; choose a child of it"), *Class->GetPathName());
+    checkf(Class->HasAnyClassFlags(CLASS_Constructed), TEXT("NewObject: class %s is not registered yet"),
         *Class->GetPathName());
-    checkf(Class->HasAnyClassFlags(CLASS_Constructed), TEXT("NewObject: class %s is not registered yet"), *Class->GetPathName());
-    checkf(!IsGarbageCollecting(), TEXT("NewObject: class %s: objects cannot be made while garbage is collected"), *Class->GetPathName());
+    checkf(!IsGarbageCollecting(), TEXT("NewObject: class %s: objects cannot be made while garbage is collected"),
+        *Class->GetPathName());
 
     UObject* Outer = Params.Outer;
     if (!Outer && !Class->IsChildOf(UPackage::StaticClass())) {
@@ -57,8 +53,8 @@ UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& 
         // Templates are read during construction, so they must exist first.
         Class->GetDefaultObject();
         checkf(!Class->ClassWithin || !Outer || Outer->IsA(Class->ClassWithin) || Outer->IsTemplate(),
-            TEXT("NewObject: a %s must be inside a %s, not inside %s"), *Class->GetName(), *Class->ClassWithin->GetName(),
-            *GetFullNameSafe(Outer));
+            TEXT("NewObject: a %s must be inside a %s, not inside %s"), *Class->GetName(),
+            *Class->ClassWithin->GetName(), *GetFullNameSafe(Outer));
     }
     const FName Name = Params.Name.IsNone() ? MakeUniqueObjectName(Outer, Class) : Params.Name;
     const SIZE_T Size = static_cast<SIZE_T>(Class->GetPropertiesSize());
@@ -67,15 +63,17 @@ UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& 
     if (UObject* Existing = StaticFindObjectFast(nullptr, Outer, Name)) {
         checkf(Existing->GetClass() == Class, TEXT("NewObject: %s cannot replace the existing %s of another class"),
             *Class->GetName(), *Existing->GetFullName());
-        checkf(!Existing->HasAnyFlags(RF_NeedInitialization), TEXT("NewObject: %s is still under construction; use another name"),
-            *Existing->GetFullName());
+        checkf(!Existing->HasAnyFlags(RF_NeedInitialization),
+            TEXT("NewObject: %s is still under construction; use another name"), *Existing->GetFullName());
         // As in UE the new object takes over name and memory of the old one.
         FObjectSystem::DestroyInPlace(Existing);
         Object = Existing;
     } else {
-        Object = static_cast<UObject*>(FObjectSystem::AllocateObject(Size, static_cast<SIZE_T>(Class->GetMinAlignment())));
+        Object =
+            static_cast<UObject*>(FObjectSystem::AllocateObject(Size, static_cast<SIZE_T>(Class->GetMinAlignment())));
     }
-    FObjectSystem::SetNextIdentity(Class, Outer, Name, Params.SetFlags | RF_NeedInitialization, Params.InternalSetFlags);
+    FObjectSystem::SetNextIdentity(
+        Class, Outer, Name, Params.SetFlags | RF_NeedInitialization, Params.InternalSetFlags);
     {
         FObjectInitializer Initializer(Object, Params);
         ++GConstructorDepth;
@@ -88,39 +86,32 @@ UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& 
 // ---------------------------------------------------------------------------------------------------------------------------
 
 FObjectInitializer::FObjectInitializer(UObject* InObj, const FStaticConstructObjectParameters& Params)
-    : Obj(InObj), ObjectArchetype(Params.Template), bCopyTransientsFromClassDefaults(Params.bCopyTransientsFromClassDefaults),
-      InstanceGraph(Params.InstanceGraph), Previous(GCurrentInitializer)
-{
+    : Obj(InObj), ObjectArchetype(Params.Template),
+      bCopyTransientsFromClassDefaults(Params.bCopyTransientsFromClassDefaults), InstanceGraph(Params.InstanceGraph),
+      Previous(GCurrentInitializer) {
     GCurrentInitializer = this;
     if (!ObjectArchetype) {
-        ObjectArchetype = Params.SetFlags & RF_ClassDefaultObject
-                              ? (Params.Class->GetSuperClass() ? Params.Class->GetSuperClass()->GetDefaultObject() : nullptr)
-                              : Params.Class->GetDefaultObject();
+        ObjectArchetype =
+            Params.SetFlags & RF_ClassDefaultObject
+                ? (Params.Class->GetSuperClass() ? Params.Class->GetSuperClass()->GetDefaultObject() : nullptr)
+                : Params.Class->GetDefaultObject();
     }
 }
 
-FObjectInitializer::~FObjectInitializer()
-{
+FObjectInitializer::~FObjectInitializer() {
     PostConstructInit();
     GCurrentInitializer = Previous;
 }
 
-FObjectInitializer* FObjectInitializer::TryGet()
-{
-    return GCurrentInitializer;
-}
-FObjectInitializer& FObjectInitializer::Get()
-{
-    checkf(GCurrentInitializer, TEXT("FObjectInitializer::Get: no object is under construction; objects are made by NewObject"));
+FObjectInitializer* FObjectInitializer::TryGet() { return GCurrentInitializer; }
+FObjectInitializer& FObjectInitializer::Get() {
+    checkf(GCurrentInitializer,
+        TEXT("FObjectInitializer::Get: no object is under construction; objects are made by NewObject"));
     return *GCurrentInitializer;
 }
-UClass* FObjectInitializer::GetClass() const
-{
-    return Obj->GetClass();
-}
+UClass* FObjectInitializer::GetClass() const { return Obj->GetClass(); }
 
-const FObjectInitializer::FOverride* FObjectInitializer::FindOverride(FName Name) const
-{
+const FObjectInitializer::FOverride* FObjectInitializer::FindOverride(FName Name) const {
     for (const FOverride& Override : Overrides) {
         if (Override.Name == Name) {
             return &Override;
@@ -129,9 +120,9 @@ const FObjectInitializer::FOverride* FObjectInitializer::FindOverride(FName Name
     return nullptr;
 }
 
-const FObjectInitializer& FObjectInitializer::SetDefaultSubobjectClass(FName SubobjectName, const UClass* Class) const
-{
-    checkf(bSubclassOverridesAllowed, TEXT("SetDefaultSubobjectClass('%s'): the subobjects exist already; call it in the initialiser list"),
+const FObjectInitializer& FObjectInitializer::SetDefaultSubobjectClass(FName SubobjectName, const UClass* Class) const {
+    checkf(bSubclassOverridesAllowed,
+        TEXT("SetDefaultSubobjectClass('%s'): the subobjects exist already; call it in the initialiser list"),
         *SubobjectName.ToString());
     // The most derived constructor speaks first and wins.
     if (!FindOverride(SubobjectName)) {
@@ -140,14 +131,12 @@ const FObjectInitializer& FObjectInitializer::SetDefaultSubobjectClass(FName Sub
     return *this;
 }
 
-const FObjectInitializer& FObjectInitializer::DoNotCreateDefaultSubobject(FName SubobjectName) const
-{
+const FObjectInitializer& FObjectInitializer::DoNotCreateDefaultSubobject(FName SubobjectName) const {
     return SetDefaultSubobjectClass(SubobjectName, nullptr);
 }
 
 UObject* FObjectInitializer::CreateDefaultSubobject(UObject* Outer, FName SubobjectFName, const UClass* ReturnType,
-    const UClass* ClassToCreateByDefault, bool bIsRequired, bool bIsTransient) const
-{
+    const UClass* ClassToCreateByDefault, bool bIsRequired, bool bIsTransient) const {
     checkf(!SubobjectFName.IsNone(), TEXT("CreateDefaultSubobject on %s needs a name"), *Outer->GetPathName());
     const UClass* Class = ClassToCreateByDefault;
     if (const FOverride* Override = FindOverride(SubobjectFName)) {
@@ -155,13 +144,14 @@ UObject* FObjectInitializer::CreateDefaultSubobject(UObject* Outer, FName Subobj
             if (!bIsRequired) {
                 return nullptr;
             }
-            UE_LOG(LogObjectConstruction, Error, TEXT("%s: required subobject '%s' cannot be left out"), *Outer->GetPathName(),
-                *SubobjectFName.ToString());
+            UE_LOG(LogObjectConstruction, Error, TEXT("%s: required subobject '%s' cannot be left out"),
+                *Outer->GetPathName(), *SubobjectFName.ToString());
         } else if (Override->Class->IsChildOf(ReturnType)) {
             Class = Override->Class;
         } else {
-            UE_LOG(LogObjectConstruction, Error, TEXT("%s: %s is no %s, so subobject '%s' stays a %s"), *Outer->GetPathName(),
-                *Override->Class->GetName(), *ReturnType->GetName(), *SubobjectFName.ToString(), *Class->GetName());
+            UE_LOG(LogObjectConstruction, Error, TEXT("%s: %s is no %s, so subobject '%s' stays a %s"),
+                *Outer->GetPathName(), *Override->Class->GetName(), *ReturnType->GetName(), *SubobjectFName.ToString(),
+                *Class->GetName());
         }
     }
     if (Class->HasAnyClassFlags(CLASS_Abstract)) {
@@ -192,11 +182,11 @@ UObject* FObjectInitializer::CreateDefaultSubobject(UObject* Outer, FName Subobj
     return Result;
 }
 
-void FObjectInitializer::PostConstructInit()
-{
+void FObjectInitializer::PostConstructInit() {
     UClass* const Class = Obj->GetClass();
     const bool bIsDefaultObject = Obj->HasAnyFlags(RF_ClassDefaultObject);
-    const bool bExplicitTemplate = ObjectArchetype && !bIsDefaultObject && ObjectArchetype != Class->GetDefaultObject(false);
+    const bool bExplicitTemplate =
+        ObjectArchetype && !bIsDefaultObject && ObjectArchetype != Class->GetDefaultObject(false);
     if (bExplicitTemplate) {
         FObjectInstancingGraph LocalGraph;
         FObjectInstancingGraph* Graph = InstanceGraph ? InstanceGraph : &LocalGraph;
@@ -224,24 +214,21 @@ void FObjectInitializer::PostConstructInit()
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-void FObjectInstancingGraph::SetDestinationRoot(UObject* DestinationSubobjectRoot, UObject* InSourceRoot)
-{
+void FObjectInstancingGraph::SetDestinationRoot(UObject* DestinationSubobjectRoot, UObject* InSourceRoot) {
     DestinationRoot = DestinationSubobjectRoot;
     SourceRoot = InSourceRoot ? InSourceRoot : DestinationSubobjectRoot->GetArchetype();
     AddNewInstance(SourceRoot, DestinationRoot);
 }
-void FObjectInstancingGraph::AddNewInstance(UObject* Source, UObject* Instance)
-{
+void FObjectInstancingGraph::AddNewInstance(UObject* Source, UObject* Instance) {
     SourceToDestination.Add(Source, Instance);
 }
-UObject* FObjectInstancingGraph::GetDestinationObject(UObject* SourceObject) const
-{
+UObject* FObjectInstancingGraph::GetDestinationObject(UObject* SourceObject) const {
     UObject* const* Found = SourceToDestination.Find(SourceObject);
     return Found ? *Found : nullptr;
 }
 
-void FObjectProperty::InstanceSubobjects(void* Data, void const*, UObject* InOwner, FObjectInstancingGraph* InstanceGraph)
-{
+void FObjectProperty::InstanceSubobjects(
+    void* Data, void const*, UObject* InOwner, FObjectInstancingGraph* InstanceGraph) {
     if (!InstanceGraph || HasAnyPropertyFlags(CPF_Transient | CPF_DuplicateTransient)) {
         return;
     }
@@ -267,8 +254,10 @@ void FObjectProperty::InstanceSubobjects(void* Data, void const*, UObject* InOwn
         if (!Instance && HasAnyPropertyFlags(CPF_InstancedReference | CPF_PersistentInstance)) {
             FStaticConstructObjectParameters Params(Value->GetClass());
             Params.Outer = NewOuter;
-            Params.Name = StaticFindObjectFast(nullptr, NewOuter, Value->GetFName()) ? FName(NAME_None) : Value->GetFName();
-            Params.SetFlags = NewOuter->GetMaskedFlags(RF_PropagateToSubObjects) | Value->GetMaskedFlags(RF_DefaultSubObject);
+            Params.Name =
+                StaticFindObjectFast(nullptr, NewOuter, Value->GetFName()) ? FName(NAME_None) : Value->GetFName();
+            Params.SetFlags =
+                NewOuter->GetMaskedFlags(RF_PropagateToSubObjects) | Value->GetMaskedFlags(RF_DefaultSubObject);
             Params.Template = Value;
             Instance = StaticConstructObject_Internal(Params);
         }
@@ -279,9 +268,8 @@ void FObjectProperty::InstanceSubobjects(void* Data, void const*, UObject* InOwn
     }
 }
 
-void UStruct::InstanceSubobjectTemplates(
-    void* Data, void const* DefaultData, UStruct* DefaultStruct, UObject* Owner, FObjectInstancingGraph* InstanceGraph)
-{
+void UStruct::InstanceSubobjectTemplates(void* Data, void const* DefaultData, UStruct* DefaultStruct, UObject* Owner,
+    FObjectInstancingGraph* InstanceGraph) {
     for (FProperty* Property = RefLink; Property; Property = Property->NextRef) {
         Property->InstanceSubobjects(Property->ContainerPtrToValuePtr<void>(Data),
             Property->ContainerPtrToValuePtrForDefaults<void>(DefaultStruct, DefaultData), Owner, InstanceGraph);
@@ -290,17 +278,14 @@ void UStruct::InstanceSubobjectTemplates(
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace
-{
+namespace {
 /** Replaces references to originals by references to their copies. */
-class FReferenceReplacer final : public FReferenceCollector
-{
+class FReferenceReplacer final : public FReferenceCollector {
 public:
     explicit FReferenceReplacer(const TMap<UObject*, UObject*>& InReplacements) : Replacements(InReplacements) {}
 
 protected:
-    virtual void HandleObjectReference(UObject*& InObject, const UObject*, const FProperty*) override
-    {
+    virtual void HandleObjectReference(UObject*& InObject, const UObject*, const FProperty*) override {
         if (UObject* const* Found = Replacements.Find(InObject)) {
             InObject = *Found;
         }
@@ -310,8 +295,7 @@ private:
     const TMap<UObject*, UObject*>& Replacements;
 };
 
-UObject* MakeCopy(const UObject* Source, UObject* Outer, FName Name, EObjectFlags FlagMask, UClass* Class)
-{
+UObject* MakeCopy(const UObject* Source, UObject* Outer, FName Name, EObjectFlags FlagMask, UClass* Class) {
     // The constructor of the new outer may have made this subobject already.
     if (UObject* Existing = Name.IsNone() ? nullptr : StaticFindObjectFast(Class, Outer, Name)) {
         if (Existing->GetOuter() == Outer && Existing->HasAnyFlags(RF_DefaultSubObject)) {
@@ -321,14 +305,14 @@ UObject* MakeCopy(const UObject* Source, UObject* Outer, FName Name, EObjectFlag
     FStaticConstructObjectParameters Params(Class);
     Params.Outer = Outer;
     Params.Name = Name;
-    Params.SetFlags = Source->GetFlags() & FlagMask & (RF_Load | RF_Transient) & ~(RF_ClassDefaultObject | RF_ArchetypeObject);
+    Params.SetFlags =
+        Source->GetFlags() & FlagMask & (RF_Load | RF_Transient) & ~(RF_ClassDefaultObject | RF_ArchetypeObject);
     return StaticConstructObject_Internal(Params);
 }
-}  // namespace
+} // namespace
 
-UObject* StaticDuplicateObject(UObject const* SourceObject, UObject* DestOuter, const FName DestName, EObjectFlags FlagMask,
-    UClass* DestClass, EDuplicateMode::Type DuplicateMode)
-{
+UObject* StaticDuplicateObject(UObject const* SourceObject, UObject* DestOuter, const FName DestName,
+    EObjectFlags FlagMask, UClass* DestClass, EDuplicateMode::Type DuplicateMode) {
     checkf(SourceObject, TEXT("DuplicateObject: no object was given"));
     UClass* Class = DestClass ? DestClass : SourceObject->GetClass();
     UObject* Outer = DestOuter ? DestOuter : static_cast<UObject*>(GetTransientPackage());
@@ -377,10 +361,8 @@ UObject* StaticDuplicateObject(UObject const* SourceObject, UObject* DestOuter, 
     return Results[0];
 }
 
-namespace UE::CoreUObject::Private
-{
-UObject* DuplicateObject(const UClass*, const UObject* SourceObject, UObject* Outer, FName NewName)
-{
+namespace UE::CoreUObject::Private {
+UObject* DuplicateObject(const UClass*, const UObject* SourceObject, UObject* Outer, FName NewName) {
     return SourceObject ? StaticDuplicateObject(SourceObject, Outer, NewName) : nullptr;
 }
-}
+} // namespace UE::CoreUObject::Private

@@ -11,8 +11,7 @@
 class FGCObject;
 
 /** What makes the UClass object of a C++ class, before its properties are known. */
-struct FNativeClassParams
-{
+struct FNativeClassParams {
     /** Slot that StaticClass() returns; filled at once, so that circular requests end. */
     UClass** Slot;
     /** "/Script/Module" */
@@ -32,8 +31,7 @@ struct FNativeClassParams
     void (*RegisterNatives)();
 };
 
-struct FObjectSystem
-{
+struct FObjectSystem {
     /** Makes the bare UClass of a C++ class with its super classes and package. */
     static void CreateNativeClass(const FNativeClassParams& Params);
     /** The package of that name, created rooted and with PKG_CompiledIn if missing. */
@@ -53,8 +51,8 @@ struct FObjectSystem
 
     static void Hash(UObjectBase* Object);
     static void Unhash(UObjectBase* Object);
-    static UObject* Find(const UClass* Class, const UObject* Outer, FName Name, bool bExactClass, EObjectFlags ExclusiveFlags,
-        EInternalObjectFlags ExclusiveInternalFlags);
+    static UObject* Find(const UClass* Class, const UObject* Outer, FName Name, bool bExactClass,
+        EObjectFlags ExclusiveFlags, EInternalObjectFlags ExclusiveInternalFlags);
     /** First object of that name with any outer. */
     static UObject* FindByName(const UClass* Class, FName Name, bool bExactClass, EObjectFlags ExclusiveFlags,
         EInternalObjectFlags ExclusiveInternalFlags, int32& OutNumFound);
@@ -65,13 +63,11 @@ struct FObjectSystem
 
     // ---- access to private parts of objects
 
-    static void SetIdentity(UObjectBase* Object, UClass* Class, UObject* Outer)
-    {
+    static void SetIdentity(UObjectBase* Object, UClass* Class, UObject* Outer) {
         Object->ClassPrivate = Class;
         Object->OuterPrivate = Outer;
     }
-    static void SetName(UObjectBase* Object, FName Name, UObject* Outer)
-    {
+    static void SetName(UObjectBase* Object, FName Name, UObject* Outer) {
         Object->NamePrivate = Name;
         Object->OuterPrivate = Outer;
     }
@@ -90,8 +86,7 @@ struct FObjectSystem
 };
 
 /** A map key for a name below an outer. */
-struct FNameOuterKey
-{
+struct FNameOuterKey {
     const UObjectBase* Outer;
     FName Name;
     bool operator==(const FNameOuterKey& Other) const { return Outer == Other.Outer && Name == Other.Name; }

@@ -11,8 +11,7 @@
 #include "UObject/UnrealType.h"
 #include "UObject/WeakObjectPtr.h"
 
-void FWeakObjectPtr::operator=(const UObject* Object)
-{
+void FWeakObjectPtr::operator=(const UObject* Object) {
     // A dying object takes no new weak pointers.
     if (Object && GUObjectArray.IsValid(Object) && !Object->IsUnreachable()) {
         ObjectIndex = static_cast<int32>(Object->GetUniqueID());
@@ -21,37 +20,33 @@ void FWeakObjectPtr::operator=(const UObject* Object)
         Reset();
     }
 }
-FUObjectItem* FWeakObjectPtr::FindItem() const
-{
+FUObjectItem* FWeakObjectPtr::FindItem() const {
     if (ObjectSerialNumber == 0) {
         return nullptr;
     }
     FUObjectItem* Item = GUObjectArray.IndexToObject(ObjectIndex);
     return Item && Item->Object && Item->SerialNumber == ObjectSerialNumber ? Item : nullptr;
 }
-UObject* FWeakObjectPtr::Get(bool bEvenIfGarbage) const
-{
+UObject* FWeakObjectPtr::Get(bool bEvenIfGarbage) const {
     const FUObjectItem* Item = FindItem();
-    return Item && !Item->IsUnreachable() && (bEvenIfGarbage || !Item->IsGarbage()) ? static_cast<UObject*>(Item->Object) : nullptr;
+    return Item && !Item->IsUnreachable() && (bEvenIfGarbage || !Item->IsGarbage())
+               ? static_cast<UObject*>(Item->Object)
+               : nullptr;
 }
-UObject* FWeakObjectPtr::GetEvenIfUnreachable() const
-{
+UObject* FWeakObjectPtr::GetEvenIfUnreachable() const {
     const FUObjectItem* Item = FindItem();
     return Item ? static_cast<UObject*>(Item->Object) : nullptr;
 }
-bool FWeakObjectPtr::IsValid(bool bEvenIfGarbage, bool bThreadsafeTest) const
-{
+bool FWeakObjectPtr::IsValid(bool bEvenIfGarbage, bool bThreadsafeTest) const {
     return bThreadsafeTest ? FindItem() != nullptr : Get(bEvenIfGarbage) != nullptr;
 }
-bool FWeakObjectPtr::IsStale(bool bIncludingGarbage, bool bThreadsafeTest) const
-{
+bool FWeakObjectPtr::IsStale(bool bIncludingGarbage, bool bThreadsafeTest) const {
     return !IsExplicitlyNull() && !IsValid(!bIncludingGarbage, bThreadsafeTest);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-FTopLevelAssetPath::FTopLevelAssetPath(const UObject* InObject)
-{
+FTopLevelAssetPath::FTopLevelAssetPath(const UObject* InObject) {
     if (!InObject) {
         return;
     }
@@ -62,8 +57,7 @@ FTopLevelAssetPath::FTopLevelAssetPath(const UObject* InObject)
         AssetName = InObject->GetFName();
     }
 }
-bool FTopLevelAssetPath::TrySetPath(const FString& Path)
-{
+bool FTopLevelAssetPath::TrySetPath(const FString& Path) {
     Reset();
     if (!Path.StartsWith(TEXT("/"))) {
         return false;
@@ -82,29 +76,25 @@ bool FTopLevelAssetPath::TrySetPath(const FString& Path)
     AssetName = FName(*Asset);
     return true;
 }
-FString FTopLevelAssetPath::ToString() const
-{
+FString FTopLevelAssetPath::ToString() const {
     if (!IsValid()) {
         return FString();
     }
     return AssetName.IsNone() ? PackageName.ToString() : PackageName.ToString() + TEXT(".") + AssetName.ToString();
 }
 
-FSoftObjectPath::FSoftObjectPath(const UObject* InObject)
-{
+FSoftObjectPath::FSoftObjectPath(const UObject* InObject) {
     if (InObject) {
         SetPath(InObject->GetPathName());
     }
 }
-FString FSoftObjectPath::ToString() const
-{
+FString FSoftObjectPath::ToString() const {
     if (IsNull()) {
         return FString();
     }
     return SubPathString.IsEmpty() ? AssetPath.ToString() : AssetPath.ToString() + SUBOBJECT_DELIMITER + SubPathString;
 }
-void FSoftObjectPath::SetPath(const FString& InPath)
-{
+void FSoftObjectPath::SetPath(const FString& InPath) {
     Reset();
     FString Path = InPath;
     int32 Quote = INDEX_NONE;
@@ -134,22 +124,19 @@ void FSoftObjectPath::SetPath(const FString& InPath)
         SubPathString.Reset();
     }
 }
-UObject* FSoftObjectPath::ResolveObject() const
-{
+UObject* FSoftObjectPath::ResolveObject() const {
     return IsNull() ? nullptr : FindObject<UObject>(nullptr, *ToString());
 }
-UObject* FSoftObjectPath::TryLoad(void*) const
-{
+UObject* FSoftObjectPath::TryLoad(void*) const {
     return IsNull() ? nullptr : StaticLoadObject(UObject::StaticClass(), nullptr, *ToString());
 }
-bool FSoftObjectPath::ExportTextItem(
-    FString& ValueStr, const FSoftObjectPath& DefaultValue, UObject* Parent, int32 PortFlags, UObject* ExportRootScope) const
-{
-    ValueStr += IsNull() ? (PortFlags & PPF_Delimited ? FString(TEXT("\"\"")) : FString()) : (PortFlags & PPF_Delimited ? PropertyText::Quote(ToString()) : ToString());
+bool FSoftObjectPath::ExportTextItem(FString& ValueStr, const FSoftObjectPath& DefaultValue, UObject* Parent,
+    int32 PortFlags, UObject* ExportRootScope) const {
+    ValueStr += IsNull() ? (PortFlags & PPF_Delimited ? FString(TEXT("\"\"")) : FString())
+                         : (PortFlags & PPF_Delimited ? PropertyText::Quote(ToString()) : ToString());
     return true;
 }
-bool FSoftObjectPath::ImportTextItem(const TCHAR*& Buffer, int32 PortFlags, UObject* Parent, FOutputDevice* ErrorText)
-{
+bool FSoftObjectPath::ImportTextItem(const TCHAR*& Buffer, int32 PortFlags, UObject* Parent, FOutputDevice* ErrorText) {
     PropertyText::FReader Reader(Buffer);
     // "(AssetPath=...)" is the text of the members; leave it to the general rule.
     if (Reader.Is('(')) {
@@ -165,44 +152,34 @@ bool FSoftObjectPath::ImportTextItem(const TCHAR*& Buffer, int32 PortFlags, UObj
 }
 
 FSoftClassPath::FSoftClassPath(const UClass* InClass) : FSoftObjectPath(static_cast<const UObject*>(InClass)) {}
-UClass* FSoftClassPath::ResolveClass() const
-{
-    return Cast<UClass>(ResolveObject());
-}
-UClass* FSoftClassPath::LoadClassOfBase(UClass* BaseClass) const
-{
+UClass* FSoftClassPath::ResolveClass() const { return Cast<UClass>(ResolveObject()); }
+UClass* FSoftClassPath::LoadClassOfBase(UClass* BaseClass) const {
     return IsNull() ? nullptr : StaticLoadClass(BaseClass, nullptr, *ToString());
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace
-{
-struct FGuidHash
-{
+namespace {
+struct FGuidHash {
     SIZE_T operator()(const FGuid& Guid) const { return GetTypeHash(Guid); }
 };
-struct FGuidTables
-{
+struct FGuidTables {
     std::unordered_map<const UObject*, FGuid> ByObject;
     std::unordered_map<FGuid, const UObject*, FGuidHash> ByGuid;
 };
-FGuidTables& GuidTables()
-{
+FGuidTables& GuidTables() {
     static FGuidTables& Instance = *new FGuidTables;
     return Instance;
 }
-}  // namespace
+} // namespace
 
-FUniqueObjectGuid::FUniqueObjectGuid(const UObject* InObject)
-{
+FUniqueObjectGuid::FUniqueObjectGuid(const UObject* InObject) {
     const auto Found = GuidTables().ByObject.find(InObject);
     if (Found != GuidTables().ByObject.end()) {
         Guid = Found->second;
     }
 }
-FUniqueObjectGuid FUniqueObjectGuid::GetOrCreateIDForObject(const UObject* Object)
-{
+FUniqueObjectGuid FUniqueObjectGuid::GetOrCreateIDForObject(const UObject* Object) {
     FUniqueObjectGuid Result(Object);
     if (!Result.IsValid() && Object) {
         Result.Guid = FGuid::NewGuid();
@@ -211,22 +188,14 @@ FUniqueObjectGuid FUniqueObjectGuid::GetOrCreateIDForObject(const UObject* Objec
     }
     return Result;
 }
-UObject* FUniqueObjectGuid::ResolveObject() const
-{
+UObject* FUniqueObjectGuid::ResolveObject() const {
     const auto Found = GuidTables().ByGuid.find(Guid);
     return Found != GuidTables().ByGuid.end() ? const_cast<UObject*>(Found->second) : nullptr;
 }
-FString FUniqueObjectGuid::ToString() const
-{
-    return Guid.ToString(EGuidFormats::UniqueObjectGuid);
-}
-bool FUniqueObjectGuid::FromString(const FString& From)
-{
-    return FGuid::Parse(From, Guid);
-}
+FString FUniqueObjectGuid::ToString() const { return Guid.ToString(EGuidFormats::UniqueObjectGuid); }
+bool FUniqueObjectGuid::FromString(const FString& From) { return FGuid::Parse(From, Guid); }
 
-void FObjectSystem::ForgetObject(const UObject* Object)
-{
+void FObjectSystem::ForgetObject(const UObject* Object) {
     FSparseDelegateStorage::NotifyObjectDestroyed(Object);
     FGuidTables& Tables = GuidTables();
     const auto Found = Tables.ByObject.find(Object);

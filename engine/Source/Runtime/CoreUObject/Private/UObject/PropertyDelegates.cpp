@@ -14,27 +14,24 @@ IMPLEMENT_ABSTRACT_FIELD(FMulticastDelegateProperty)
 IMPLEMENT_FIELD(FMulticastInlineDelegateProperty)
 IMPLEMENT_FIELD(FMulticastSparseDelegateProperty)
 
-bool FScriptDelegate::IsBound() const
-{
+bool FScriptDelegate::IsBound() const {
     if (FunctionName.IsNone()) {
         return false;
     }
     const UObject* Target = Object.Get();
     return Target && Target->FindFunction(FunctionName) != nullptr;
 }
-FString FScriptDelegate::ToString() const
-{
+FString FScriptDelegate::ToString() const {
     return IsBound() ? Object.Get()->GetPathName() + TEXT(".") + FunctionName.ToString() : FString(TEXT("<Unbound>"));
 }
-void FScriptDelegate::ProcessDelegate(void* Parameters) const
-{
+void FScriptDelegate::ProcessDelegate(void* Parameters) const {
     UObject* Target = Object.Get();
-    checkf(Target, TEXT("A dynamic delegate was executed that is not bound or whose object is gone (function '%s')"), *FunctionName.ToString());
+    checkf(Target, TEXT("A dynamic delegate was executed that is not bound or whose object is gone (function '%s')"),
+        *FunctionName.ToString());
     Target->ProcessEvent(Target->FindFunctionChecked(FunctionName), Parameters);
 }
 
-bool FMulticastScriptDelegate::IsBound() const
-{
+bool FMulticastScriptDelegate::IsBound() const {
     for (const FScriptDelegate& Delegate : InvocationList) {
         if (Delegate.IsBound()) {
             return true;
@@ -42,8 +39,7 @@ bool FMulticastScriptDelegate::IsBound() const
     }
     return false;
 }
-bool FMulticastScriptDelegate::Contains(const UObject* InObject, FName InFunctionName) const
-{
+bool FMulticastScriptDelegate::Contains(const UObject* InObject, FName InFunctionName) const {
     for (const FScriptDelegate& Delegate : InvocationList) {
         if (Delegate.GetFunctionName() == InFunctionName && Delegate.IsBoundToObjectEvenIfUnreachable(InObject)) {
             return true;
@@ -51,40 +47,35 @@ bool FMulticastScriptDelegate::Contains(const UObject* InObject, FName InFunctio
     }
     return false;
 }
-void FMulticastScriptDelegate::CompactInvocationList() const
-{
+void FMulticastScriptDelegate::CompactInvocationList() const {
     InvocationList.RemoveAll([](const FScriptDelegate& Delegate) { return Delegate.IsCompactable(); });
 }
-void FMulticastScriptDelegate::Add(const FScriptDelegate& InDelegate)
-{
+void FMulticastScriptDelegate::Add(const FScriptDelegate& InDelegate) {
     CompactInvocationList();
-    ensureMsgf(!InvocationList.Contains(InDelegate), TEXT("%s is bound to this delegate already; use AddUnique"), *InDelegate.ToString());
+    ensureMsgf(!InvocationList.Contains(InDelegate), TEXT("%s is bound to this delegate already; use AddUnique"),
+        *InDelegate.ToString());
     InvocationList.Add(InDelegate);
 }
-void FMulticastScriptDelegate::AddUnique(const FScriptDelegate& InDelegate)
-{
+void FMulticastScriptDelegate::AddUnique(const FScriptDelegate& InDelegate) {
     CompactInvocationList();
     InvocationList.AddUnique(InDelegate);
 }
-void FMulticastScriptDelegate::Remove(const FScriptDelegate& InDelegate)
-{
+void FMulticastScriptDelegate::Remove(const FScriptDelegate& InDelegate) {
     InvocationList.Remove(InDelegate);
     CompactInvocationList();
 }
-void FMulticastScriptDelegate::Remove(const UObject* InObject, FName InFunctionName)
-{
+void FMulticastScriptDelegate::Remove(const UObject* InObject, FName InFunctionName) {
     InvocationList.RemoveAll([InObject, InFunctionName](const FScriptDelegate& Delegate) {
         return Delegate.GetFunctionName() == InFunctionName && Delegate.IsBoundToObjectEvenIfUnreachable(InObject);
     });
     CompactInvocationList();
 }
-void FMulticastScriptDelegate::RemoveAll(const UObject* Object)
-{
-    InvocationList.RemoveAll([Object](const FScriptDelegate& Delegate) { return Delegate.IsBoundToObjectEvenIfUnreachable(Object); });
+void FMulticastScriptDelegate::RemoveAll(const UObject* Object) {
+    InvocationList.RemoveAll(
+        [Object](const FScriptDelegate& Delegate) { return Delegate.IsBoundToObjectEvenIfUnreachable(Object); });
     CompactInvocationList();
 }
-bool FMulticastScriptDelegate::operator==(const FMulticastScriptDelegate& Other) const
-{
+bool FMulticastScriptDelegate::operator==(const FMulticastScriptDelegate& Other) const {
     if (InvocationList.Num() != Other.InvocationList.Num()) {
         return false;
     }
@@ -95,16 +86,14 @@ bool FMulticastScriptDelegate::operator==(const FMulticastScriptDelegate& Other)
     }
     return true;
 }
-FString FMulticastScriptDelegate::ToString() const
-{
+FString FMulticastScriptDelegate::ToString() const {
     FString Result(TEXT("["));
     for (const FScriptDelegate& Delegate : InvocationList) {
         Result += (Result.Len() > 1 ? FString(TEXT(", ")) : FString()) + Delegate.ToString();
     }
     return Result + TEXT("]");
 }
-void FMulticastScriptDelegate::ProcessMulticastDelegate(void* Parameters) const
-{
+void FMulticastScriptDelegate::ProcessMulticastDelegate(void* Parameters) const {
     // Handlers may add and remove delegates: call a copy, and only what is still bound when its turn comes.
     const InvocationListType Copy = InvocationList;
     for (const FScriptDelegate& Delegate : Copy) {
@@ -114,8 +103,7 @@ void FMulticastScriptDelegate::ProcessMulticastDelegate(void* Parameters) const
     }
     CompactInvocationList();
 }
-TArray<UObject*> FMulticastScriptDelegate::GetAllObjects() const
-{
+TArray<UObject*> FMulticastScriptDelegate::GetAllObjects() const {
     TArray<UObject*> Result;
     for (const FScriptDelegate& Delegate : InvocationList) {
         if (const UObject* Object = Delegate.GetUObject()) {
@@ -125,36 +113,31 @@ TArray<UObject*> FMulticastScriptDelegate::GetAllObjects() const
     return Result;
 }
 
-namespace UE::CoreUObject::Private
-{
-FName FunctionNameOfExpression(const TCHAR* Expression)
-{
+namespace UE::CoreUObject::Private {
+FName FunctionNameOfExpression(const TCHAR* Expression) {
     const FString Text(Expression);
     const int32 Separator = Text.Find(TEXT("::"), ESearchCase::CaseSensitive, ESearchDir::FromEnd);
     checkf(Separator != INDEX_NONE, TEXT("'%s' does not name a member function as &Class::Function"), Expression);
     return FName(*Text.Mid(Separator + 2).TrimStartAndEnd());
 }
-}  // namespace UE::CoreUObject::Private
+} // namespace UE::CoreUObject::Private
 
 // ---------------------------------------------------------------------------------------------------------------------------
 // Sparse delegates
 
-namespace
-{
-struct FNameLess
-{
+namespace {
+struct FNameLess {
     bool operator()(const FName& A, const FName& B) const { return A.FastLess(B); }
 };
 using FListsOfOwner = std::map<FName, FMulticastScriptDelegate, FNameLess>;
-std::unordered_map<const UObject*, FListsOfOwner>& SparseLists()
-{
+std::unordered_map<const UObject*, FListsOfOwner>& SparseLists() {
     static auto& Instance = *new std::unordered_map<const UObject*, FListsOfOwner>;
     return Instance;
 }
-}  // namespace
+} // namespace
 
-FMulticastScriptDelegate* FSparseDelegateStorage::GetMulticastDelegate(const UObject* DelegateOwner, FName DelegateName)
-{
+FMulticastScriptDelegate* FSparseDelegateStorage::GetMulticastDelegate(
+    const UObject* DelegateOwner, FName DelegateName) {
     auto Owner = SparseLists().find(DelegateOwner);
     if (Owner == SparseLists().end()) {
         return nullptr;
@@ -162,20 +145,18 @@ FMulticastScriptDelegate* FSparseDelegateStorage::GetMulticastDelegate(const UOb
     auto List = Owner->second.find(DelegateName);
     return List == Owner->second.end() ? nullptr : &List->second;
 }
-FMulticastScriptDelegate& FSparseDelegateStorage::GetOrCreate(FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName)
-{
+FMulticastScriptDelegate& FSparseDelegateStorage::GetOrCreate(
+    FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName) {
     Delegate.bIsBound = true;
     return SparseLists()[DelegateOwner][DelegateName];
 }
-void FSparseDelegateStorage::Compact(FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName)
-{
+void FSparseDelegateStorage::Compact(FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName) {
     const FMulticastScriptDelegate* List = GetMulticastDelegate(DelegateOwner, DelegateName);
     if (!List || List->GetInvocationList().IsEmpty()) {
         Clear(Delegate, DelegateOwner, DelegateName);
     }
 }
-void FSparseDelegateStorage::Clear(FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName)
-{
+void FSparseDelegateStorage::Clear(FSparseDelegate& Delegate, const UObject* DelegateOwner, FName DelegateName) {
     Delegate.bIsBound = false;
     auto Owner = SparseLists().find(DelegateOwner);
     if (Owner != SparseLists().end()) {
@@ -185,32 +166,27 @@ void FSparseDelegateStorage::Clear(FSparseDelegate& Delegate, const UObject* Del
         }
     }
 }
-void FSparseDelegateStorage::NotifyObjectDestroyed(const UObject* Owner)
-{
-    SparseLists().erase(Owner);
-}
+void FSparseDelegateStorage::NotifyObjectDestroyed(const UObject* Owner) { SparseLists().erase(Owner); }
 
 // ---------------------------------------------------------------------------------------------------------------------------
 // Properties
 
-namespace
-{
-FString DelegateCppName(const UFunction* Signature)
-{
+namespace {
+FString DelegateCppName(const UFunction* Signature) {
     FString Name = Signature->GetName();
     Name.RemoveFromEnd(HEADER_GENERATED_DELEGATE_SIGNATURE_SUFFIX);
     const UClass* Owner = Signature->GetOuterUClass();
-    return Owner ? FString::Printf(TEXT("%s%s::F%s"), Owner->GetPrefixCPP(), *Owner->GetName(), *Name) : TEXT("F") + Name;
+    return Owner ? FString::Printf(TEXT("%s%s::F%s"), Owner->GetPrefixCPP(), *Owner->GetName(), *Name)
+                 : TEXT("F") + Name;
 }
-FString DelegateText(const FScriptDelegate& Delegate)
-{
+FString DelegateText(const FScriptDelegate& Delegate) {
     const UObject* Object = Delegate.GetUObject();
-    return FString::Printf(TEXT("%s.%s"), Object ? *Object->GetPathName() : TEXT("(null)"), *Delegate.GetFunctionName().ToString());
+    return FString::Printf(
+        TEXT("%s.%s"), Object ? *Object->GetPathName() : TEXT("(null)"), *Delegate.GetFunctionName().ToString());
 }
 /** Reads "Path.Function" or "(null).None" into a delegate whose function must fit the signature. */
-const TCHAR* ImportDelegate(
-    const FProperty* Property, const UFunction* Signature, const TCHAR* Buffer, UObject* Parent, FScriptDelegate& Out, FOutputDevice* ErrorText)
-{
+const TCHAR* ImportDelegate(const FProperty* Property, const UFunction* Signature, const TCHAR* Buffer, UObject* Parent,
+    FScriptDelegate& Out, FOutputDevice* ErrorText) {
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     FString Token;
@@ -240,27 +216,26 @@ const TCHAR* ImportDelegate(
     }
     const UFunction* Function = Object ? Object->FindFunction(FName(*FunctionName)) : nullptr;
     if (!Function || !Signature->IsSignatureCompatibleWith(Function)) {
-        PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: '%s' %s"), *Property->GetName(), *Token,
-                                            Function ? TEXT("has other parameters than the delegate") : TEXT("is no function of an object")));
+        PropertyText::Report(ErrorText,
+            FString::Printf(TEXT("%s: '%s' %s"), *Property->GetName(), *Token,
+                Function ? TEXT("has other parameters than the delegate") : TEXT("is no function of an object")));
         return nullptr;
     }
     Out.BindUFunction(Object, FName(*FunctionName));
     return Reader.Cursor();
 }
-}  // namespace
+} // namespace
 
-FString FDelegateProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FDelegateProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     return DelegateCppName(SignatureFunction);
 }
-void FDelegateProperty::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer, EPropertyPointerType PropertyPointerType,
-    const void* DefaultValue, UObject* Parent, int32 PortFlags, UObject* ExportRootScope) const
-{
+void FDelegateProperty::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,
+    EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,
+    UObject* ExportRootScope) const {
     ValueStr += DelegateText(GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)));
 }
-const TCHAR* FDelegateProperty::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr, EPropertyPointerType PropertyPointerType,
-    UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const
-{
+const TCHAR* FDelegateProperty::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,
+    EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const {
     FScriptDelegate Delegate;
     const TCHAR* Result = ImportDelegate(this, SignatureFunction, Buffer, OwnerObject, Delegate, ErrorText);
     if (Result) {
@@ -269,12 +244,10 @@ const TCHAR* FDelegateProperty::ImportText_Internal(const TCHAR* Buffer, void* C
     return Result;
 }
 
-FString FMulticastDelegateProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FMulticastDelegateProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     return DelegateCppName(SignatureFunction);
 }
-bool FMulticastDelegateProperty::Identical(const void* A, const void* B, uint32) const
-{
+bool FMulticastDelegateProperty::Identical(const void* A, const void* B, uint32) const {
     const FMulticastScriptDelegate* ListA = GetMulticastDelegate(A);
     const FMulticastScriptDelegate* ListB = B ? GetMulticastDelegate(B) : nullptr;
     const bool bEmptyA = !ListA || ListA->GetInvocationList().IsEmpty();
@@ -282,9 +255,10 @@ bool FMulticastDelegateProperty::Identical(const void* A, const void* B, uint32)
     return bEmptyA || bEmptyB ? bEmptyA == bEmptyB : *ListA == *ListB;
 }
 void FMulticastDelegateProperty::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,
-    EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags, UObject* ExportRootScope) const
-{
-    const FMulticastScriptDelegate* List = GetMulticastDelegate(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType));
+    EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,
+    UObject* ExportRootScope) const {
+    const FMulticastScriptDelegate* List =
+        GetMulticastDelegate(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType));
     ValueStr += TEXT("(");
     bool bFirst = true;
     if (List) {
@@ -296,13 +270,13 @@ void FMulticastDelegateProperty::ExportText_Internal(FString& ValueStr, const vo
     ValueStr += TEXT(")");
 }
 const TCHAR* FMulticastDelegateProperty::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,
-    EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const
-{
+    EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const {
     FMulticastScriptDelegate List;
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     if (!Reader.Accept('(')) {
-        PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: '(' is expected, found '%s'"), *GetName(), *Reader.Rest()));
+        PropertyText::Report(
+            ErrorText, FString::Printf(TEXT("%s: '(' is expected, found '%s'"), *GetName(), *Reader.Rest()));
         return nullptr;
     }
     while (!Reader.Accept(')')) {
@@ -315,7 +289,8 @@ const TCHAR* FMulticastDelegateProperty::ImportText_Internal(const TCHAR* Buffer
         Reader.Set(After);
         Reader.SkipSpace();
         if (!Reader.Accept(',') && !Reader.Is(')')) {
-            PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: ',' or ')' is expected, found '%s'"), *GetName(), *Reader.Rest()));
+            PropertyText::Report(
+                ErrorText, FString::Printf(TEXT("%s: ',' or ')' is expected, found '%s'"), *GetName(), *Reader.Rest()));
             return nullptr;
         }
     }
@@ -323,90 +298,77 @@ const TCHAR* FMulticastDelegateProperty::ImportText_Internal(const TCHAR* Buffer
     return Reader.Cursor();
 }
 
-void FMulticastInlineDelegateProperty::LinkInternal()
-{
+void FMulticastInlineDelegateProperty::LinkInternal() {
     ElementSize = sizeof(FMulticastScriptDelegate);
     PropertyFlags |= CPF_ZeroConstructor;
 }
-void FMulticastInlineDelegateProperty::CopyValuesInternal(void* Dest, void const* Src, int32 Count) const
-{
+void FMulticastInlineDelegateProperty::CopyValuesInternal(void* Dest, void const* Src, int32 Count) const {
     for (int32 Index = 0; Index < Count; ++Index) {
         static_cast<FMulticastScriptDelegate*>(Dest)[Index] = static_cast<const FMulticastScriptDelegate*>(Src)[Index];
     }
 }
-void FMulticastInlineDelegateProperty::ClearValueInternal(void* Data) const
-{
+void FMulticastInlineDelegateProperty::ClearValueInternal(void* Data) const {
     static_cast<FMulticastScriptDelegate*>(Data)->Clear();
 }
-void FMulticastInlineDelegateProperty::InitializeValueInternal(void* Dest) const
-{
+void FMulticastInlineDelegateProperty::InitializeValueInternal(void* Dest) const {
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         new (static_cast<FMulticastScriptDelegate*>(Dest) + Index) FMulticastScriptDelegate;
     }
 }
-void FMulticastInlineDelegateProperty::DestroyValueInternal(void* Dest) const
-{
+void FMulticastInlineDelegateProperty::DestroyValueInternal(void* Dest) const {
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         static_cast<FMulticastScriptDelegate*>(Dest)[Index].~FMulticastScriptDelegate();
     }
 }
-void FMulticastInlineDelegateProperty::SetMulticastDelegate(void* PropertyValue, FMulticastScriptDelegate ScriptDelegate) const
-{
+void FMulticastInlineDelegateProperty::SetMulticastDelegate(
+    void* PropertyValue, FMulticastScriptDelegate ScriptDelegate) const {
     *static_cast<FMulticastScriptDelegate*>(PropertyValue) = MoveTemp(ScriptDelegate);
 }
-void FMulticastInlineDelegateProperty::AddDelegate(FScriptDelegate ScriptDelegate, UObject* Parent, void* PropertyValue) const
-{
+void FMulticastInlineDelegateProperty::AddDelegate(
+    FScriptDelegate ScriptDelegate, UObject* Parent, void* PropertyValue) const {
     static_cast<FMulticastScriptDelegate*>(ResolveValue(Parent, PropertyValue))->AddUnique(ScriptDelegate);
 }
-void FMulticastInlineDelegateProperty::RemoveDelegate(const FScriptDelegate& ScriptDelegate, UObject* Parent, void* PropertyValue) const
-{
+void FMulticastInlineDelegateProperty::RemoveDelegate(
+    const FScriptDelegate& ScriptDelegate, UObject* Parent, void* PropertyValue) const {
     static_cast<FMulticastScriptDelegate*>(ResolveValue(Parent, PropertyValue))->Remove(ScriptDelegate);
 }
-void FMulticastInlineDelegateProperty::ClearDelegate(UObject* Parent, void* PropertyValue) const
-{
+void FMulticastInlineDelegateProperty::ClearDelegate(UObject* Parent, void* PropertyValue) const {
     static_cast<FMulticastScriptDelegate*>(ResolveValue(Parent, PropertyValue))->Clear();
 }
 
-void FMulticastSparseDelegateProperty::LinkInternal()
-{
+void FMulticastSparseDelegateProperty::LinkInternal() {
     ElementSize = sizeof(FSparseDelegate);
     PropertyFlags |= CPF_NoDestructor | CPF_ZeroConstructor;
 }
-void FMulticastSparseDelegateProperty::InitializeValueInternal(void* Dest) const
-{
-    new (Dest) FSparseDelegate;
-}
-void FMulticastSparseDelegateProperty::ClearValueInternal(void* Data) const
-{
-    ClearDelegate(nullptr, Data);
-}
-const FMulticastScriptDelegate* FMulticastSparseDelegateProperty::GetMulticastDelegate(const void* PropertyValue) const
-{
+void FMulticastSparseDelegateProperty::InitializeValueInternal(void* Dest) const { new (Dest) FSparseDelegate; }
+void FMulticastSparseDelegateProperty::ClearValueInternal(void* Data) const { ClearDelegate(nullptr, Data); }
+const FMulticastScriptDelegate* FMulticastSparseDelegateProperty::GetMulticastDelegate(
+    const void* PropertyValue) const {
     return static_cast<const FSparseDelegate*>(PropertyValue)->IsBound()
                ? FSparseDelegateStorage::GetMulticastDelegate(OwnerOf(PropertyValue), GetFName())
                : nullptr;
 }
-void FMulticastSparseDelegateProperty::SetMulticastDelegate(void* PropertyValue, FMulticastScriptDelegate ScriptDelegate) const
-{
+void FMulticastSparseDelegateProperty::SetMulticastDelegate(
+    void* PropertyValue, FMulticastScriptDelegate ScriptDelegate) const {
     FSparseDelegate& Delegate = *static_cast<FSparseDelegate*>(PropertyValue);
     FSparseDelegateStorage::GetOrCreate(Delegate, OwnerOf(PropertyValue), GetFName()) = MoveTemp(ScriptDelegate);
     FSparseDelegateStorage::Compact(Delegate, OwnerOf(PropertyValue), GetFName());
 }
-void FMulticastSparseDelegateProperty::AddDelegate(FScriptDelegate ScriptDelegate, UObject* Parent, void* PropertyValue) const
-{
+void FMulticastSparseDelegateProperty::AddDelegate(
+    FScriptDelegate ScriptDelegate, UObject* Parent, void* PropertyValue) const {
     void* Value = ResolveValue(Parent, PropertyValue);
-    FSparseDelegateStorage::GetOrCreate(*static_cast<FSparseDelegate*>(Value), OwnerOf(Value), GetFName()).AddUnique(ScriptDelegate);
+    FSparseDelegateStorage::GetOrCreate(*static_cast<FSparseDelegate*>(Value), OwnerOf(Value), GetFName())
+        .AddUnique(ScriptDelegate);
 }
-void FMulticastSparseDelegateProperty::RemoveDelegate(const FScriptDelegate& ScriptDelegate, UObject* Parent, void* PropertyValue) const
-{
+void FMulticastSparseDelegateProperty::RemoveDelegate(
+    const FScriptDelegate& ScriptDelegate, UObject* Parent, void* PropertyValue) const {
     void* Value = ResolveValue(Parent, PropertyValue);
     if (FMulticastScriptDelegate* List = FSparseDelegateStorage::GetMulticastDelegate(OwnerOf(Value), GetFName())) {
         List->Remove(ScriptDelegate);
         FSparseDelegateStorage::Compact(*static_cast<FSparseDelegate*>(Value), OwnerOf(Value), GetFName());
     }
 }
-void FMulticastSparseDelegateProperty::ClearDelegate(UObject* Parent, void* PropertyValue) const
-{
+void FMulticastSparseDelegateProperty::ClearDelegate(UObject* Parent, void* PropertyValue) const {
     void* Value = ResolveValue(Parent, PropertyValue);
     FSparseDelegateStorage::Clear(*static_cast<FSparseDelegate*>(Value), OwnerOf(Value), GetFName());
 }

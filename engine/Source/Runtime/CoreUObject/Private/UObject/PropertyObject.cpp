@@ -14,24 +14,23 @@ IMPLEMENT_FIELD(FClassProperty)
 IMPLEMENT_FIELD(FSoftClassProperty)
 IMPLEMENT_FIELD(FInterfaceProperty)
 
-#define EXPORT_TEXT(TClass)                                                                                                   \
-    void TClass::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,                                 \
-        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,                 \
+#define EXPORT_TEXT(TClass)                                                                                            \
+    void TClass::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,                          \
+        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,          \
         UObject* ExportRootScope) const
-#define IMPORT_TEXT(TClass)                                                                                                   \
-    const TCHAR* TClass::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,                               \
-        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const
+#define IMPORT_TEXT(TClass)                                                                                            \
+    const TCHAR* TClass::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,                        \
+        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText)     \
+        const
 
-FString FObjectPropertyBase::GetCPPTypeOf(const TCHAR* Template, FString* ExtendedTypeText, UClass* Inner) const
-{
+FString FObjectPropertyBase::GetCPPTypeOf(const TCHAR* Template, FString* ExtendedTypeText, UClass* Inner) const {
     if (ExtendedTypeText) {
         *ExtendedTypeText = FString::Printf(TEXT("<%s%s>"), Inner->GetPrefixCPP(), *Inner->GetName());
     }
     return FString(Template);
 }
 
-bool FObjectPropertyBase::IsObjectAllowed(const UObject* Value) const
-{
+bool FObjectPropertyBase::IsObjectAllowed(const UObject* Value) const {
     if (!Value) {
         return true;
     }
@@ -42,15 +41,15 @@ bool FObjectPropertyBase::IsObjectAllowed(const UObject* Value) const
     return !MetaClass || static_cast<const UClass*>(Value)->IsChildOf(MetaClass);
 }
 
-bool FObjectPropertyBase::Identical(const void* A, const void* B, uint32 PortFlags) const
-{
+bool FObjectPropertyBase::Identical(const void* A, const void* B, uint32 PortFlags) const {
     UObject* const ObjectA = GetObjectPropertyValue(A);
     UObject* const ObjectB = B ? GetObjectPropertyValue(B) : nullptr;
     if (ObjectA == ObjectB) {
         return true;
     }
     // Deep comparison looks into instanced objects of the same class.
-    if (!ObjectA || !ObjectB || !(PortFlags & (PPF_DeepComparison | PPF_DeepCompareInstances)) || ObjectA->GetClass() != ObjectB->GetClass() ||
+    if (!ObjectA || !ObjectB || !(PortFlags & (PPF_DeepComparison | PPF_DeepCompareInstances)) ||
+        ObjectA->GetClass() != ObjectB->GetClass() ||
         !HasAnyPropertyFlags(CPF_InstancedReference | CPF_PersistentInstance)) {
         return false;
     }
@@ -64,13 +63,13 @@ bool FObjectPropertyBase::Identical(const void* A, const void* B, uint32 PortFla
     return true;
 }
 
-FString FObjectPropertyBase::GetExportPath(const UObject* Object, const UObject* Parent, const UObject* ExportRootScope, const uint32 PortFlags)
-{
-    return Object ? FString::Printf(TEXT("%s'%s'"), *Object->GetClass()->GetPathName(), *Object->GetPathName()) : FString(TEXT("None"));
+FString FObjectPropertyBase::GetExportPath(
+    const UObject* Object, const UObject* Parent, const UObject* ExportRootScope, const uint32 PortFlags) {
+    return Object ? FString::Printf(TEXT("%s'%s'"), *Object->GetClass()->GetPathName(), *Object->GetPathName())
+                  : FString(TEXT("None"));
 }
 
-EXPORT_TEXT(FObjectPropertyBase)
-{
+EXPORT_TEXT(FObjectPropertyBase) {
     const UObject* Object = GetObjectPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType));
     if (!Object) {
         ValueStr += TEXT("None");
@@ -80,16 +79,16 @@ EXPORT_TEXT(FObjectPropertyBase)
     ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Path) : Path;
 }
 
-bool FObjectPropertyBase::ParseObjectPropertyValue(const FProperty* Property, UObject* OwnerObject, UClass* RequiredMetaClass,
-    uint32 PortFlags, const TCHAR*& Buffer, TObjectPtr<UObject>& OutResolvedValue)
-{
+bool FObjectPropertyBase::ParseObjectPropertyValue(const FProperty* Property, UObject* OwnerObject,
+    UClass* RequiredMetaClass, uint32 PortFlags, const TCHAR*& Buffer, TObjectPtr<UObject>& OutResolvedValue) {
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     FString Token;
     if (!Reader.ReadToken(Token)) {
         return false;
     }
-    if (Token.IsEmpty() || Token.Equals(TEXT("None"), ESearchCase::IgnoreCase) || Token.Equals(TEXT("nullptr"), ESearchCase::IgnoreCase)) {
+    if (Token.IsEmpty() || Token.Equals(TEXT("None"), ESearchCase::IgnoreCase) ||
+        Token.Equals(TEXT("nullptr"), ESearchCase::IgnoreCase)) {
         OutResolvedValue = nullptr;
         Buffer = Reader.Cursor();
         return true;
@@ -112,15 +111,16 @@ bool FObjectPropertyBase::ParseObjectPropertyValue(const FProperty* Property, UO
     return true;
 }
 
-IMPORT_TEXT(FObjectPropertyBase)
-{
+IMPORT_TEXT(FObjectPropertyBase) {
     TObjectPtr<UObject> Object;
     const TCHAR* Cursor = Buffer;
-    if (!ParseObjectPropertyValue(this, OwnerObject, PropertyClass, static_cast<uint32>(PortFlags), Cursor, Object) || !IsObjectAllowed(Object)) {
+    if (!ParseObjectPropertyValue(this, OwnerObject, PropertyClass, static_cast<uint32>(PortFlags), Cursor, Object) ||
+        !IsObjectAllowed(Object)) {
         PropertyText::FReader Reader(Buffer);
         const UClass* MetaClass = GetRequiredMetaClass();
         PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: '%s' is no %s%s"), *GetName(), *Reader.Rest(),
-                                            MetaClass ? TEXT("child class of ") : TEXT(""), *(MetaClass ? MetaClass : PropertyClass.Get())->GetName()));
+                                            MetaClass ? TEXT("child class of ") : TEXT(""),
+                                            *(MetaClass ? MetaClass : PropertyClass.Get())->GetName()));
         return nullptr;
     }
     SetObjectPropertyValue(PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType), Object);
@@ -129,34 +129,30 @@ IMPORT_TEXT(FObjectPropertyBase)
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-FString FObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
+FString FObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const {
     if (HasAnyPropertyFlags(CPF_TObjectPtr) && !(CPPExportFlags & (CPPF_NoTObjectPtr | CPPF_ArgumentOrReturnValue))) {
         return FString::Printf(TEXT("TObjectPtr<%s%s>"), PropertyClass->GetPrefixCPP(), *PropertyClass->GetName());
     }
     return FString::Printf(TEXT("%s%s*"), PropertyClass->GetPrefixCPP(), *PropertyClass->GetName());
 }
-void FObjectProperty::CollectReferences(void* Value, FReferenceCollector& Collector, const UObject* Referencer) const
-{
+void FObjectProperty::CollectReferences(void* Value, FReferenceCollector& Collector, const UObject* Referencer) const {
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         Collector.AddReferencedObject(GetPropertyValuePtr(Value)[Index], Referencer, this);
     }
 }
-FString FWeakObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
-    return FString::Printf(TEXT("%s<%s%s>"), HasAnyPropertyFlags(CPF_AutoWeak) ? TEXT("TAutoWeakObjectPtr") : TEXT("TWeakObjectPtr"),
+FString FWeakObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
+    return FString::Printf(TEXT("%s<%s%s>"),
+        HasAnyPropertyFlags(CPF_AutoWeak) ? TEXT("TAutoWeakObjectPtr") : TEXT("TWeakObjectPtr"),
         PropertyClass->GetPrefixCPP(), *PropertyClass->GetName());
 }
-FString FLazyObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FLazyObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     return FString::Printf(TEXT("TLazyObjectPtr<%s%s>"), PropertyClass->GetPrefixCPP(), *PropertyClass->GetName());
 }
-EXPORT_TEXT(FLazyObjectProperty)
-{
-    ValueStr += GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).GetUniqueID().ToString();
+EXPORT_TEXT(FLazyObjectProperty) {
+    ValueStr +=
+        GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).GetUniqueID().ToString();
 }
-IMPORT_TEXT(FLazyObjectProperty)
-{
+IMPORT_TEXT(FLazyObjectProperty) {
     PropertyText::FReader Reader(Buffer);
     FString Token;
     FUniqueObjectGuid Guid;
@@ -175,12 +171,10 @@ IMPORT_TEXT(FLazyObjectProperty)
     return FObjectPropertyBase::ImportText_Internal(
         Buffer, ContainerOrPropertyPtr, PropertyPointerType, OwnerObject, PortFlags, ErrorText);
 }
-FString FSoftObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FSoftObjectProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     return FString::Printf(TEXT("TSoftObjectPtr<%s%s>"), PropertyClass->GetPrefixCPP(), *PropertyClass->GetName());
 }
-EXPORT_TEXT(FSoftObjectProperty)
-{
+EXPORT_TEXT(FSoftObjectProperty) {
     const FString Path = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).ToString();
     if (Path.IsEmpty()) {
         ValueStr += TEXT("None");
@@ -188,8 +182,7 @@ EXPORT_TEXT(FSoftObjectProperty)
         ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Path) : Path;
     }
 }
-IMPORT_TEXT(FSoftObjectProperty)
-{
+IMPORT_TEXT(FSoftObjectProperty) {
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     FString Token;
@@ -201,29 +194,26 @@ IMPORT_TEXT(FSoftObjectProperty)
     Value = Token == TEXT("None") ? FSoftObjectPath() : FSoftObjectPath(Token);
     return Reader.Cursor();
 }
-FString FClassProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
+FString FClassProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const {
     if (HasAnyPropertyFlags(CPF_UObjectWrapper) && !HasAnyPropertyFlags(CPF_TObjectPtr)) {
         return FString::Printf(TEXT("TSubclassOf<%s%s>"), MetaClass->GetPrefixCPP(), *MetaClass->GetName());
     }
     return FObjectProperty::GetCPPType(ExtendedTypeText, CPPExportFlags);
 }
-FString FSoftClassProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FSoftClassProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     return FString::Printf(TEXT("TSoftClassPtr<%s%s>"), MetaClass->GetPrefixCPP(), *MetaClass->GetName());
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-FString FInterfaceProperty::GetCPPType(FString* ExtendedTypeText, uint32) const
-{
+FString FInterfaceProperty::GetCPPType(FString* ExtendedTypeText, uint32) const {
     if (ExtendedTypeText) {
         *ExtendedTypeText = FString::Printf(TEXT("<I%s>"), *InterfaceClass->GetName());
     }
     return FString(TEXT("TScriptInterface"));
 }
-void FInterfaceProperty::CollectReferences(void* Value, FReferenceCollector& Collector, const UObject* Referencer) const
-{
+void FInterfaceProperty::CollectReferences(
+    void* Value, FReferenceCollector& Collector, const UObject* Referencer) const {
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         FScriptInterface& Interface = GetPropertyValuePtr(Value)[Index];
         Collector.AddReferencedObject(Interface.GetObjectRef(), Referencer, this);
@@ -232,22 +222,21 @@ void FInterfaceProperty::CollectReferences(void* Value, FReferenceCollector& Col
         }
     }
 }
-EXPORT_TEXT(FInterfaceProperty)
-{
-    const UObject* Object = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).GetObject();
+EXPORT_TEXT(FInterfaceProperty) {
+    const UObject* Object =
+        GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).GetObject();
     const FString Path = FObjectPropertyBase::GetExportPath(Object);
     ValueStr += Object && (PortFlags & PPF_Delimited) ? PropertyText::Quote(Path) : Path;
 }
-IMPORT_TEXT(FInterfaceProperty)
-{
+IMPORT_TEXT(FInterfaceProperty) {
     TObjectPtr<UObject> Object;
     const TCHAR* Cursor = Buffer;
     if (!FObjectPropertyBase::ParseObjectPropertyValue(
             this, OwnerObject, UObject::StaticClass(), static_cast<uint32>(PortFlags), Cursor, Object) ||
         (Object && !Object->GetClass()->ImplementsInterface(InterfaceClass))) {
         PropertyText::FReader Reader(Buffer);
-        PropertyText::Report(ErrorText,
-            FString::Printf(TEXT("%s: '%s' does not implement %s"), *GetName(), *Reader.Rest(), *InterfaceClass->GetName()));
+        PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: '%s' does not implement %s"), *GetName(),
+                                            *Reader.Rest(), *InterfaceClass->GetName()));
         return nullptr;
     }
     FScriptInterface& Value = *GetPropertyValuePtr(PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType));

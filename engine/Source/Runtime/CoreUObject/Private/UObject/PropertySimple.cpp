@@ -24,19 +24,19 @@ IMPLEMENT_FIELD(FNameProperty)
 IMPLEMENT_FIELD(FTextProperty)
 IMPLEMENT_FIELD(FFieldPathProperty)
 
-#define EXPORT_TEXT(TClass)                                                                                                   \
-    void TClass::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,                                 \
-        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,                 \
+#define EXPORT_TEXT(TClass)                                                                                            \
+    void TClass::ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,                          \
+        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,          \
         UObject* ExportRootScope) const
-#define IMPORT_TEXT(TClass)                                                                                                   \
-    const TCHAR* TClass::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,                               \
-        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const
+#define IMPORT_TEXT(TClass)                                                                                            \
+    const TCHAR* TClass::ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,                        \
+        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText)     \
+        const
 
-namespace
-{
+namespace {
 /** Reads an enum entry by name or value. */
-const TCHAR* ImportEnum(const FProperty* Property, const UEnum* Enum, const TCHAR* Buffer, int64& OutValue, FOutputDevice* ErrorText)
-{
+const TCHAR* ImportEnum(
+    const FProperty* Property, const UEnum* Enum, const TCHAR* Buffer, int64& OutValue, FOutputDevice* ErrorText) {
     PropertyText::FReader Reader(Buffer);
     FString Token;
     if (Reader.Is('"')) {
@@ -72,20 +72,18 @@ const TCHAR* ImportEnum(const FProperty* Property, const UEnum* Enum, const TCHA
         ErrorText, FString::Printf(TEXT("%s: '%s' is no entry of %s"), *Property->GetName(), *Token, *Enum->GetName()));
     return nullptr;
 }
-FString EnumText(const UEnum* Enum, int64 Value)
-{
+FString EnumText(const UEnum* Enum, int64 Value) {
     const int32 Index = Enum->GetIndexByValue(Value);
     if (Index != INDEX_NONE) {
         return Enum->GetNameStringByIndex(Index);
     }
     return LexToString(Value);
 }
-}  // namespace
+} // namespace
 
 // ---- numbers
 
-bool FNumericProperty::SetNumericPropertyValueFromString(void* Data, const TCHAR* Value) const
-{
+bool FNumericProperty::SetNumericPropertyValueFromString(void* Data, const TCHAR* Value) const {
     const FString Text(Value);
     if (Text.IsEmpty()) {
         return false;
@@ -128,19 +126,16 @@ bool FNumericProperty::SetNumericPropertyValueFromString(void* Data, const TCHAR
     }
     return *End == 0;
 }
-FString FNumericProperty::GetNumericPropertyValueToString(void const* Data) const
-{
+FString FNumericProperty::GetNumericPropertyValueToString(void const* Data) const {
     if (IsFloatingPoint()) {
         return FString::Printf(TEXT("%f"), GetFloatingPointPropertyValue(Data));
     }
     return IsSigned() ? LexToString(GetSignedIntPropertyValue(Data)) : LexToString(GetUnsignedIntPropertyValue(Data));
 }
-EXPORT_TEXT(FNumericProperty)
-{
+EXPORT_TEXT(FNumericProperty) {
     ValueStr += GetNumericPropertyValueToString(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType));
 }
-IMPORT_TEXT(FNumericProperty)
-{
+IMPORT_TEXT(FNumericProperty) {
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     const bool bQuoted = Reader.Accept('"');
@@ -156,8 +151,7 @@ IMPORT_TEXT(FNumericProperty)
     return Reader.Cursor();
 }
 
-FString FByteProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
+FString FByteProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const {
     if (!Enum) {
         return FString(TEXT("uint8"));
     }
@@ -166,20 +160,20 @@ FString FByteProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFla
     }
     return FString::Printf(TEXT("TEnumAsByte<%s>"), *Enum->CppType);
 }
-EXPORT_TEXT(FByteProperty)
-{
+EXPORT_TEXT(FByteProperty) {
     const void* Value = PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType);
     if (!Enum) {
-        FNumericProperty::ExportText_Internal(ValueStr, Value, EPropertyPointerType::Direct, DefaultValue, Parent, PortFlags, ExportRootScope);
+        FNumericProperty::ExportText_Internal(
+            ValueStr, Value, EPropertyPointerType::Direct, DefaultValue, Parent, PortFlags, ExportRootScope);
         return;
     }
     ValueStr += EnumText(Enum, GetPropertyValue(Value));
 }
-IMPORT_TEXT(FByteProperty)
-{
+IMPORT_TEXT(FByteProperty) {
     void* Value = PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType);
     if (!Enum) {
-        return FNumericProperty::ImportText_Internal(Buffer, Value, EPropertyPointerType::Direct, OwnerObject, PortFlags, ErrorText);
+        return FNumericProperty::ImportText_Internal(
+            Buffer, Value, EPropertyPointerType::Direct, OwnerObject, PortFlags, ErrorText);
     }
     int64 Imported = 0;
     const TCHAR* Result = ImportEnum(this, Enum, Buffer, Imported, ErrorText);
@@ -191,8 +185,7 @@ IMPORT_TEXT(FByteProperty)
 
 // ---- bool
 
-void FBoolProperty::SetBoolSize(const uint32 InSize, const bool bIsNativeBool, const uint32 InBitMask)
-{
+void FBoolProperty::SetBoolSize(const uint32 InSize, const bool bIsNativeBool, const uint32 InBitMask) {
     ElementSize = static_cast<int32>(InSize);
     FieldSize = static_cast<uint8>(InSize);
     ByteOffset = 0;
@@ -208,8 +201,7 @@ void FBoolProperty::SetBoolSize(const uint32 InSize, const bool bIsNativeBool, c
     }
     ByteMask = FieldMask = static_cast<uint8>(Mask);
 }
-void FBoolProperty::LinkInternal()
-{
+void FBoolProperty::LinkInternal() {
     if (ElementSize == 0) {
         SetBoolSize(sizeof(bool), true);
     }
@@ -219,31 +211,28 @@ void FBoolProperty::LinkInternal()
         PropertyFlags |= CPF_IsPlainOldData | CPF_ZeroConstructor;
     }
 }
-void FBoolProperty::CopyValuesInternal(void* Dest, void const* Src, int32 Count) const
-{
+void FBoolProperty::CopyValuesInternal(void* Dest, void const* Src, int32 Count) const {
     for (int32 Index = 0; Index < Count; ++Index) {
-        SetPropertyValue(static_cast<uint8*>(Dest) + Index * ElementSize, GetPropertyValue(static_cast<const uint8*>(Src) + Index * ElementSize));
+        SetPropertyValue(static_cast<uint8*>(Dest) + Index * ElementSize,
+            GetPropertyValue(static_cast<const uint8*>(Src) + Index * ElementSize));
     }
 }
-void FBoolProperty::InitializeValueInternal(void* Dest) const
-{
+void FBoolProperty::InitializeValueInternal(void* Dest) const {
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         SetPropertyValue(static_cast<uint8*>(Dest) + Index * ElementSize, false);
     }
 }
-FString FBoolProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
+FString FBoolProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const {
     if (IsNativeBool() || (CPPExportFlags & (CPPF_ArgumentOrReturnValue | CPPF_Implementation))) {
         return FString(TEXT("bool"));
     }
     return FString::Printf(TEXT("uint%d"), ElementSize * 8);
 }
-EXPORT_TEXT(FBoolProperty)
-{
-    ValueStr += GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)) ? TEXT("True") : TEXT("False");
+EXPORT_TEXT(FBoolProperty) {
+    ValueStr += GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)) ? TEXT("True")
+                                                                                                   : TEXT("False");
 }
-IMPORT_TEXT(FBoolProperty)
-{
+IMPORT_TEXT(FBoolProperty) {
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     FString Token;
@@ -253,13 +242,15 @@ IMPORT_TEXT(FBoolProperty)
         Token = Reader.ReadName();
     }
     void* Value = PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType);
-    if (Token == TEXT("1") || Token.Equals(TEXT("True"), ESearchCase::IgnoreCase) || Token.Equals(TEXT("Yes"), ESearchCase::IgnoreCase)) {
+    if (Token == TEXT("1") || Token.Equals(TEXT("True"), ESearchCase::IgnoreCase) ||
+        Token.Equals(TEXT("Yes"), ESearchCase::IgnoreCase)) {
         SetPropertyValue(Value, true);
-    } else if (Token == TEXT("0") || Token.Equals(TEXT("False"), ESearchCase::IgnoreCase) || Token.Equals(TEXT("No"), ESearchCase::IgnoreCase)) {
+    } else if (Token == TEXT("0") || Token.Equals(TEXT("False"), ESearchCase::IgnoreCase) ||
+               Token.Equals(TEXT("No"), ESearchCase::IgnoreCase)) {
         SetPropertyValue(Value, false);
     } else {
-        PropertyText::Report(
-            ErrorText, FString::Printf(TEXT("%s: True or False is expected, found '%s'"), *GetName(), *(Token + Reader.Rest())));
+        PropertyText::Report(ErrorText,
+            FString::Printf(TEXT("%s: True or False is expected, found '%s'"), *GetName(), *(Token + Reader.Rest())));
         return nullptr;
     }
     return Reader.Cursor();
@@ -267,28 +258,19 @@ IMPORT_TEXT(FBoolProperty)
 
 // ---- enum
 
-FEnumProperty::~FEnumProperty()
-{
-    delete UnderlyingProp;
-}
-void FEnumProperty::LinkInternal()
-{
+FEnumProperty::~FEnumProperty() { delete UnderlyingProp; }
+void FEnumProperty::LinkInternal() {
     check(UnderlyingProp);
     UnderlyingProp->Link();
     ElementSize = UnderlyingProp->GetElementSize();
     PropertyFlags |= CPF_IsPlainOldData | CPF_NoDestructor | CPF_ZeroConstructor | CPF_HasGetValueTypeHash;
 }
-FString FEnumProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
-    return Enum->CppType;
-}
-EXPORT_TEXT(FEnumProperty)
-{
+FString FEnumProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const { return Enum->CppType; }
+EXPORT_TEXT(FEnumProperty) {
     const void* Value = PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType);
     ValueStr += EnumText(Enum, UnderlyingProp->GetSignedIntPropertyValue(Value));
 }
-IMPORT_TEXT(FEnumProperty)
-{
+IMPORT_TEXT(FEnumProperty) {
     int64 Imported = 0;
     const TCHAR* Result = ImportEnum(this, Enum, Buffer, Imported, ErrorText);
     if (Result) {
@@ -299,27 +281,20 @@ IMPORT_TEXT(FEnumProperty)
 
 // ---- strings, names, texts
 
-void FStrProperty::LinkInternal()
-{
+void FStrProperty::LinkInternal() {
     FBase::LinkInternal();
     PropertyFlags |= CPF_ZeroConstructor | CPF_HasGetValueTypeHash;
 }
-bool FStrProperty::Identical(const void* A, const void* B, uint32 PortFlags) const
-{
+bool FStrProperty::Identical(const void* A, const void* B, uint32 PortFlags) const {
     const FString& Left = GetPropertyValue(A);
     return B ? Left.Equals(GetPropertyValue(B), ESearchCase::CaseSensitive) : Left.IsEmpty();
 }
-uint32 FStrProperty::GetValueTypeHashInternal(const void* Src) const
-{
-    return GetTypeHash(GetPropertyValue(Src));
-}
-EXPORT_TEXT(FStrProperty)
-{
+uint32 FStrProperty::GetValueTypeHashInternal(const void* Src) const { return GetTypeHash(GetPropertyValue(Src)); }
+EXPORT_TEXT(FStrProperty) {
     const FString& Value = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType));
     ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Value) : Value;
 }
-IMPORT_TEXT(FStrProperty)
-{
+IMPORT_TEXT(FStrProperty) {
     FString& Value = *GetPropertyValuePtr(PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType));
     if (!(PortFlags & PPF_Delimited)) {
         // Alone, the whole text is the value.
@@ -336,26 +311,19 @@ IMPORT_TEXT(FStrProperty)
     return Reader.Cursor();
 }
 
-void FNameProperty::LinkInternal()
-{
+void FNameProperty::LinkInternal() {
     FBase::LinkInternal();
     PropertyFlags |= CPF_ZeroConstructor | CPF_HasGetValueTypeHash;
 }
-bool FNameProperty::Identical(const void* A, const void* B, uint32 PortFlags) const
-{
+bool FNameProperty::Identical(const void* A, const void* B, uint32 PortFlags) const {
     return GetPropertyValue(A) == GetOptionalPropertyValue(B);
 }
-uint32 FNameProperty::GetValueTypeHashInternal(const void* Src) const
-{
-    return GetTypeHash(GetPropertyValue(Src));
-}
-EXPORT_TEXT(FNameProperty)
-{
+uint32 FNameProperty::GetValueTypeHashInternal(const void* Src) const { return GetTypeHash(GetPropertyValue(Src)); }
+EXPORT_TEXT(FNameProperty) {
     const FString Value = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).ToString();
     ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Value) : Value;
 }
-IMPORT_TEXT(FNameProperty)
-{
+IMPORT_TEXT(FNameProperty) {
     FName& Value = *GetPropertyValuePtr(PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType));
     PropertyText::FReader Reader(Buffer);
     FString Token;
@@ -370,25 +338,18 @@ IMPORT_TEXT(FNameProperty)
     return Reader.Cursor();
 }
 
-void FTextProperty::LinkInternal()
-{
-    FBase::LinkInternal();
-}
-bool FTextProperty::Identical(const void* A, const void* B, uint32 PortFlags) const
-{
+void FTextProperty::LinkInternal() { FBase::LinkInternal(); }
+bool FTextProperty::Identical(const void* A, const void* B, uint32 PortFlags) const {
     return GetPropertyValue(A).ToString().Equals(GetOptionalPropertyValue(B).ToString(), ESearchCase::CaseSensitive);
 }
-uint32 FTextProperty::GetValueTypeHashInternal(const void* Src) const
-{
+uint32 FTextProperty::GetValueTypeHashInternal(const void* Src) const {
     return GetTypeHash(GetPropertyValue(Src).ToString());
 }
-EXPORT_TEXT(FTextProperty)
-{
+EXPORT_TEXT(FTextProperty) {
     const FString Value = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).ToString();
     ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Value) : Value;
 }
-IMPORT_TEXT(FTextProperty)
-{
+IMPORT_TEXT(FTextProperty) {
     FText& Value = *GetPropertyValuePtr(PointerToValuePtr(ContainerOrPropertyPtr, PropertyPointerType));
     PropertyText::FReader Reader(Buffer);
     FString Text;
@@ -401,13 +362,15 @@ IMPORT_TEXT(FTextProperty)
         do {
             Reader.SkipSpace();
             if (!Reader.ReadQuoted(Text)) {
-                PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: a quoted text is expected, found '%s'"), *GetName(), *Reader.Rest()));
+                PropertyText::Report(ErrorText,
+                    FString::Printf(TEXT("%s: a quoted text is expected, found '%s'"), *GetName(), *Reader.Rest()));
                 return nullptr;
             }
             Reader.SkipSpace();
         } while (Reader.Accept(','));
         if (!Reader.Accept(')')) {
-            PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: ')' is expected, found '%s'"), *GetName(), *Reader.Rest()));
+            PropertyText::Report(
+                ErrorText, FString::Printf(TEXT("%s: ')' is expected, found '%s'"), *GetName(), *Reader.Rest()));
             return nullptr;
         }
     } else if (!(PortFlags & PPF_Delimited)) {
@@ -423,8 +386,7 @@ IMPORT_TEXT(FTextProperty)
 
 // ---- field paths
 
-FField* FFieldPath::GetTyped(FFieldClass* Type) const
-{
+FField* FFieldPath::GetTyped(FFieldClass* Type) const {
     int32 Colon = INDEX_NONE;
     if (!Path.FindLastChar(TCHAR(':'), Colon)) {
         return nullptr;
@@ -433,20 +395,17 @@ FField* FFieldPath::GetTyped(FFieldClass* Type) const
     FProperty* Property = Owner ? Owner->FindPropertyByName(FName(*Path.Mid(Colon + 1))) : nullptr;
     return Property && Property->IsA(Type) ? Property : nullptr;
 }
-FString FFieldPathProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const
-{
+FString FFieldPathProperty::GetCPPType(FString* ExtendedTypeText, uint32 CPPExportFlags) const {
     if (ExtendedTypeText) {
         *ExtendedTypeText = FString::Printf(TEXT("<F%s>"), *PropertyClass->GetName());
     }
     return FString(TEXT("TFieldPath"));
 }
-EXPORT_TEXT(FFieldPathProperty)
-{
+EXPORT_TEXT(FFieldPathProperty) {
     const FString Value = GetPropertyValue(PointerToValuePtr(PropertyValueOrContainer, PropertyPointerType)).ToString();
     ValueStr += PortFlags & PPF_Delimited ? PropertyText::Quote(Value) : Value;
 }
-IMPORT_TEXT(FFieldPathProperty)
-{
+IMPORT_TEXT(FFieldPathProperty) {
     PropertyText::FReader Reader(Buffer);
     FString Token;
     if (!Reader.ReadToken(Token)) {

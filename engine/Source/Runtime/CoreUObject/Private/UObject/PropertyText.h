@@ -6,32 +6,28 @@
 
 class FOutputDevice;
 
-namespace PropertyText
-{
+namespace PropertyText {
 /** Sends an import error to its receiver, if there is one. */
 void Report(FOutputDevice* ErrorText, const FString& Message);
 /** `"text"` with \" \\ \n \r \t escaped. */
 FString Quote(const FString& Text);
 
 /** A cursor over text. */
-class FReader
-{
+class FReader {
 public:
     explicit FReader(const TCHAR* InText) : Text(InText) {}
     const TCHAR* Cursor() const { return Text; }
     void Set(const TCHAR* InText) { Text = InText; }
     bool Is(char Character) const { return *Text == static_cast<TCHAR>(Character); }
     bool AtEnd() const { return *Text == 0; }
-    bool Accept(char Character)
-    {
+    bool Accept(char Character) {
         if (Is(Character)) {
             ++Text;
             return true;
         }
         return false;
     }
-    void SkipSpace()
-    {
+    void SkipSpace() {
         while (*Text == TCHAR(' ') || *Text == TCHAR('\t') || *Text == TCHAR('\n') || *Text == TCHAR('\r')) {
             ++Text;
         }
@@ -50,4 +46,4 @@ public:
 private:
     const TCHAR* Text;
 };
-}  // namespace PropertyText
+} // namespace PropertyText

@@ -5,15 +5,13 @@
 #include "UObject/Class.h"
 #include "UObject/UnrealType.h"
 
-UField::~UField()
-{
+UField::~UField() {
 #if WITH_METADATA
     delete MetaDataMap;
 #endif
 }
 
-UClass* UField::GetOwnerClass() const
-{
+UClass* UField::GetOwnerClass() const {
     for (const UObject* Object = this; Object; Object = Object->GetOuter()) {
         if (Object->IsA<UClass>()) {
             return static_cast<UClass*>(const_cast<UObject*>(Object));
@@ -21,8 +19,7 @@ UClass* UField::GetOwnerClass() const
     }
     return nullptr;
 }
-UStruct* UField::GetOwnerStruct() const
-{
+UStruct* UField::GetOwnerStruct() const {
     for (const UObject* Object = this; Object; Object = Object->GetOuter()) {
         if (Object->IsA<UStruct>()) {
             return static_cast<UStruct*>(const_cast<UObject*>(Object));
@@ -32,75 +29,49 @@ UStruct* UField::GetOwnerStruct() const
 }
 
 #if WITH_METADATA
-const FString* UField::FindMetaData(const FName& Key) const
-{
-    return MetaDataMap ? MetaDataMap->Find(Key) : nullptr;
-}
-const FString* UField::FindMetaData(const TCHAR* Key) const
-{
-    return FindMetaData(FName(Key));
-}
-const FString& UField::GetMetaData(const FName& Key) const
-{
+const FString* UField::FindMetaData(const FName& Key) const { return MetaDataMap ? MetaDataMap->Find(Key) : nullptr; }
+const FString* UField::FindMetaData(const TCHAR* Key) const { return FindMetaData(FName(Key)); }
+const FString& UField::GetMetaData(const FName& Key) const {
     static const FString Empty;
     const FString* Found = FindMetaData(Key);
     return Found ? *Found : Empty;
 }
-const FString& UField::GetMetaData(const TCHAR* Key) const
-{
-    return GetMetaData(FName(Key));
-}
-bool UField::GetBoolMetaData(const FName& Key) const
-{
+const FString& UField::GetMetaData(const TCHAR* Key) const { return GetMetaData(FName(Key)); }
+bool UField::GetBoolMetaData(const FName& Key) const {
     const FString* Found = FindMetaData(Key);
     // A key without value means true.
     return Found && (Found->IsEmpty() || Found->ToBool());
 }
-int32 UField::GetIntMetaData(const FName& Key) const
-{
-    return FCString::Atoi(*GetMetaData(Key));
-}
-float UField::GetFloatMetaData(const FName& Key) const
-{
-    return FCString::Atof(*GetMetaData(Key));
-}
-void UField::SetMetaData(const FName& Key, const TCHAR* InValue)
-{
+int32 UField::GetIntMetaData(const FName& Key) const { return FCString::Atoi(*GetMetaData(Key)); }
+float UField::GetFloatMetaData(const FName& Key) const { return FCString::Atof(*GetMetaData(Key)); }
+void UField::SetMetaData(const FName& Key, const TCHAR* InValue) {
     if (!MetaDataMap) {
         MetaDataMap = new TMap<FName, FString>;
     }
     MetaDataMap->Add(Key, FString(InValue));
 }
-void UField::SetMetaData(const TCHAR* Key, const TCHAR* InValue)
-{
-    SetMetaData(FName(Key), InValue);
-}
-FText UField::GetDisplayNameText() const
-{
+void UField::SetMetaData(const TCHAR* Key, const TCHAR* InValue) { SetMetaData(FName(Key), InValue); }
+FText UField::GetDisplayNameText() const {
     const FString* DisplayName = FindMetaData(TEXT("DisplayName"));
     return FText::FromString(DisplayName ? *DisplayName : FName::NameToDisplayString(GetName(), false));
 }
-FText UField::GetToolTipText(bool) const
-{
+FText UField::GetToolTipText(bool) const {
     const FString* ToolTip = FindMetaData(TEXT("ToolTip"));
     return ToolTip ? FText::FromString(*ToolTip) : GetDisplayNameText();
 }
 
-bool UStruct::GetBoolMetaDataHierarchical(const FName& Key) const
-{
+bool UStruct::GetBoolMetaDataHierarchical(const FName& Key) const {
     const UStruct* Struct = HasMetaDataHierarchical(Key);
     return Struct && Struct->GetBoolMetaData(Key);
 }
-bool UStruct::GetStringMetaDataHierarchical(const FName& Key, FString* OutValue) const
-{
+bool UStruct::GetStringMetaDataHierarchical(const FName& Key, FString* OutValue) const {
     const UStruct* Struct = HasMetaDataHierarchical(Key);
     if (Struct && OutValue) {
         *OutValue = Struct->GetMetaData(Key);
     }
     return Struct != nullptr;
 }
-const UStruct* UStruct::HasMetaDataHierarchical(const FName& Key) const
-{
+const UStruct* UStruct::HasMetaDataHierarchical(const FName& Key) const {
     for (const UStruct* Struct = this; Struct; Struct = Struct->GetSuperStruct()) {
         if (Struct->FindMetaData(Key)) {
             return Struct;
@@ -112,8 +83,7 @@ const UStruct* UStruct::HasMetaDataHierarchical(const FName& Key) const
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-UStruct::~UStruct()
-{
+UStruct::~UStruct() {
     for (FField* Field = ChildProperties; Field;) {
         FField* NextField = Field->Next;
         delete Field;
@@ -121,8 +91,7 @@ UStruct::~UStruct()
     }
 }
 
-FProperty* UStruct::FindPropertyByName(FName InName) const
-{
+FProperty* UStruct::FindPropertyByName(FName InName) const {
     for (FProperty* Property = PropertyLink; Property; Property = Property->PropertyLinkNext) {
         if (Property->GetFName() == InName) {
             return Property;
@@ -130,13 +99,11 @@ FProperty* UStruct::FindPropertyByName(FName InName) const
     }
     return nullptr;
 }
-FProperty* FindFProperty_Internal(const UStruct* Owner, FName FieldName)
-{
+FProperty* FindFProperty_Internal(const UStruct* Owner, FName FieldName) {
     return Owner ? Owner->FindPropertyByName(FieldName) : nullptr;
 }
 
-void UStruct::InitializeStruct(void* InDest, int32 ArrayDim) const
-{
+void UStruct::InitializeStruct(void* InDest, int32 ArrayDim) const {
     const int32 Stride = GetStructureSize();
     FMemory::Memzero(InDest, static_cast<SIZE_T>(Stride) * static_cast<SIZE_T>(ArrayDim));
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
@@ -148,8 +115,7 @@ void UStruct::InitializeStruct(void* InDest, int32 ArrayDim) const
         }
     }
 }
-void UStruct::DestroyStruct(void* InDest, int32 ArrayDim) const
-{
+void UStruct::DestroyStruct(void* InDest, int32 ArrayDim) const {
     const int32 Stride = GetStructureSize();
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         uint8* Dest = static_cast<uint8*>(InDest) + Index * Stride;
@@ -159,8 +125,7 @@ void UStruct::DestroyStruct(void* InDest, int32 ArrayDim) const
     }
 }
 
-void UStruct::AddCppProperty(FProperty* Property)
-{
+void UStruct::AddCppProperty(FProperty* Property) {
     FField** Tail = &ChildProperties;
     while (*Tail) {
         Tail = &(*Tail)->Next;
@@ -169,8 +134,7 @@ void UStruct::AddCppProperty(FProperty* Property)
     *Tail = Property;
 }
 
-void UStruct::Link(bool bComputeLayout)
-{
+void UStruct::Link(bool bComputeLayout) {
     if (bComputeLayout) {
         PropertiesSize = SuperStruct ? SuperStruct->PropertiesSize : 0;
         MinAlignment = SuperStruct ? SuperStruct->MinAlignment : 1;
@@ -214,8 +178,7 @@ void UStruct::Link(bool bComputeLayout)
     *PostConstructTail = SuperStruct ? SuperStruct->PostConstructLink : nullptr;
 }
 
-void UStruct::AddReferencedObjects(UObject* InThis, FReferenceCollector& Collector)
-{
+void UStruct::AddReferencedObjects(UObject* InThis, FReferenceCollector& Collector) {
     UStruct* This = static_cast<UStruct*>(InThis);
     Collector.AddReferencedObject(This->SuperStruct, This);
     for (UField* Field = This->Children; Field; Field = Field->Next) {
@@ -230,8 +193,7 @@ void UStruct::AddReferencedObjects(UObject* InThis, FReferenceCollector& Collect
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-void UScriptStruct::PrepareCppStructOps()
-{
+void UScriptStruct::PrepareCppStructOps() {
     if (CppStructOps) {
         StructFlags |= CppStructOps->GetComputedStructFlags() | STRUCT_Native;
         PropertiesSize = CppStructOps->GetSize();
@@ -239,8 +201,7 @@ void UScriptStruct::PrepareCppStructOps()
     }
 }
 
-void UScriptStruct::Link(bool bComputeLayout)
-{
+void UScriptStruct::Link(bool bComputeLayout) {
     UStruct::Link(bComputeLayout && !CppStructOps);
     if (!CppStructOps) {
         StructFlags &= ~(STRUCT_IsPlainOldData | STRUCT_NoDestructor | STRUCT_ZeroConstructor);
@@ -250,7 +211,8 @@ void UScriptStruct::Link(bool bComputeLayout)
             bPlain = bPlain && Property->HasAnyPropertyFlags(CPF_IsPlainOldData);
             bZero = bZero && Property->HasAnyPropertyFlags(CPF_ZeroConstructor);
         }
-        StructFlags |= (bPlain ? STRUCT_IsPlainOldData : STRUCT_NoFlags) | (DestructorLink ? STRUCT_NoFlags : STRUCT_NoDestructor) |
+        StructFlags |= (bPlain ? STRUCT_IsPlainOldData : STRUCT_NoFlags) |
+                       (DestructorLink ? STRUCT_NoFlags : STRUCT_NoDestructor) |
                        (bZero ? STRUCT_ZeroConstructor : STRUCT_NoFlags);
     }
     for (FProperty* Property = PropertyLink; Property; Property = Property->PropertyLinkNext) {
@@ -260,8 +222,7 @@ void UScriptStruct::Link(bool bComputeLayout)
     }
 }
 
-void UScriptStruct::InitializeStruct(void* Dest, int32 ArrayDim) const
-{
+void UScriptStruct::InitializeStruct(void* Dest, int32 ArrayDim) const {
     if (!CppStructOps) {
         UStruct::InitializeStruct(Dest, ArrayDim);
         return;
@@ -270,8 +231,7 @@ void UScriptStruct::InitializeStruct(void* Dest, int32 ArrayDim) const
         CppStructOps->Construct(static_cast<uint8*>(Dest) + Index * GetStructureSize());
     }
 }
-void UScriptStruct::DestroyStruct(void* Dest, int32 ArrayDim) const
-{
+void UScriptStruct::DestroyStruct(void* Dest, int32 ArrayDim) const {
     if (StructFlags & (STRUCT_IsPlainOldData | STRUCT_NoDestructor)) {
         return;
     }
@@ -283,8 +243,7 @@ void UScriptStruct::DestroyStruct(void* Dest, int32 ArrayDim) const
         CppStructOps->Destruct(static_cast<uint8*>(Dest) + Index * GetStructureSize());
     }
 }
-void UScriptStruct::CopyScriptStruct(void* InDest, void const* InSrc, int32 ArrayDim) const
-{
+void UScriptStruct::CopyScriptStruct(void* InDest, void const* InSrc, int32 ArrayDim) const {
     if (InDest == InSrc) {
         return;
     }
@@ -303,17 +262,16 @@ void UScriptStruct::CopyScriptStruct(void* InDest, void const* InSrc, int32 Arra
         }
     }
 }
-void UScriptStruct::ClearScriptStruct(void* Dest, int32 ArrayDim) const
-{
+void UScriptStruct::ClearScriptStruct(void* Dest, int32 ArrayDim) const {
     DestroyStruct(Dest, ArrayDim);
     InitializeStruct(Dest, ArrayDim);
 }
-bool UScriptStruct::CompareScriptStruct(const void* A, const void* B, uint32 PortFlags) const
-{
+bool UScriptStruct::CompareScriptStruct(const void* A, const void* B, uint32 PortFlags) const {
     check(A);
     if (!B) {
         // Null stands for a fresh value.
-        void* Fresh = FMemory::MallocZeroed(static_cast<SIZE_T>(FMath::Max(GetStructureSize(), 1)), static_cast<uint32>(MinAlignment));
+        void* Fresh = FMemory::MallocZeroed(
+            static_cast<SIZE_T>(FMath::Max(GetStructureSize(), 1)), static_cast<uint32>(MinAlignment));
         InitializeStruct(Fresh);
         const bool bEqual = CompareScriptStruct(A, Fresh, PortFlags);
         DestroyStruct(Fresh);
@@ -333,8 +291,7 @@ bool UScriptStruct::CompareScriptStruct(const void* A, const void* B, uint32 Por
     }
     return true;
 }
-uint32 UScriptStruct::GetStructTypeHash(const void* Src) const
-{
+uint32 UScriptStruct::GetStructTypeHash(const void* Src) const {
     if (CppStructOps && CppStructOps->HasGetTypeHash()) {
         return CppStructOps->GetStructTypeHash(Src);
     }
@@ -347,9 +304,8 @@ uint32 UScriptStruct::GetStructTypeHash(const void* Src) const
     return Hash;
 }
 
-void UScriptStruct::ExportText(FString& ValueStr, const void* Value, const void* Defaults, UObject* OwnerObject, int32 PortFlags,
-    UObject* ExportRootScope, bool bAllowNativeOverride) const
-{
+void UScriptStruct::ExportText(FString& ValueStr, const void* Value, const void* Defaults, UObject* OwnerObject,
+    int32 PortFlags, UObject* ExportRootScope, bool bAllowNativeOverride) const {
     if (bAllowNativeOverride && CppStructOps && CppStructOps->HasExportTextItem() &&
         CppStructOps->ExportTextItem(ValueStr, Value, Defaults, OwnerObject, PortFlags, ExportRootScope)) {
         return;
@@ -386,9 +342,8 @@ void UScriptStruct::ExportText(FString& ValueStr, const void* Value, const void*
     ValueStr += bFirst ? TEXT("()") : TEXT(")");
 }
 
-const TCHAR* UScriptStruct::ImportText(const TCHAR* Buffer, void* Value, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText,
-    const FString& StructName, bool bAllowNativeOverride) const
-{
+const TCHAR* UScriptStruct::ImportText(const TCHAR* Buffer, void* Value, UObject* OwnerObject, int32 PortFlags,
+    FOutputDevice* ErrorText, const FString& StructName, bool bAllowNativeOverride) const {
     if (bAllowNativeOverride && CppStructOps && CppStructOps->HasImportTextItem()) {
         const TCHAR* Cursor = Buffer;
         if (CppStructOps->ImportTextItem(Cursor, Value, PortFlags, OwnerObject, ErrorText)) {
@@ -398,7 +353,8 @@ const TCHAR* UScriptStruct::ImportText(const TCHAR* Buffer, void* Value, UObject
     PropertyText::FReader Reader(Buffer);
     Reader.SkipSpace();
     if (!Reader.Accept('(')) {
-        PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: '(' expected, found '%s'"), *StructName, *Reader.Rest()));
+        PropertyText::Report(
+            ErrorText, FString::Printf(TEXT("%s: '(' expected, found '%s'"), *StructName, *Reader.Rest()));
         return nullptr;
     }
     Reader.SkipSpace();
@@ -408,14 +364,15 @@ const TCHAR* UScriptStruct::ImportText(const TCHAR* Buffer, void* Value, UObject
         if (Reader.Accept('[')) {
             Index = Reader.ReadInt();
             if (!Reader.Accept(']')) {
-                PropertyText::Report(ErrorText, FString::Printf(TEXT("%s.%s: ']' expected, found '%s'"), *StructName, *Name, *Reader.Rest()));
+                PropertyText::Report(ErrorText,
+                    FString::Printf(TEXT("%s.%s: ']' expected, found '%s'"), *StructName, *Name, *Reader.Rest()));
                 return nullptr;
             }
         }
         Reader.SkipSpace();
         if (Name.IsEmpty() || !Reader.Accept('=')) {
-            PropertyText::Report(
-                ErrorText, FString::Printf(TEXT("%s: 'Name=' expected, found '%s'"), *StructName, *(Name + Reader.Rest())));
+            PropertyText::Report(ErrorText,
+                FString::Printf(TEXT("%s: 'Name=' expected, found '%s'"), *StructName, *(Name + Reader.Rest())));
             return nullptr;
         }
         const FProperty* Property = FindPropertyByName(FName(*Name));
@@ -424,20 +381,22 @@ const TCHAR* UScriptStruct::ImportText(const TCHAR* Buffer, void* Value, UObject
             return nullptr;
         }
         if (Index < 0 || Index >= Property->ArrayDim) {
-            PropertyText::Report(ErrorText,
-                FString::Printf(TEXT("%s.%s: index %d is out of range, there are %d elements"), *StructName, *Name, Index, Property->ArrayDim));
+            PropertyText::Report(
+                ErrorText, FString::Printf(TEXT("%s.%s: index %d is out of range, there are %d elements"), *StructName,
+                               *Name, Index, Property->ArrayDim));
             return nullptr;
         }
         Reader.SkipSpace();
-        const TCHAR* After = Property->ImportText_Direct(Reader.Cursor(), Property->ContainerPtrToValuePtr<void>(Value, Index),
-            OwnerObject, PortFlags | PPF_Delimited, ErrorText);
+        const TCHAR* After = Property->ImportText_Direct(Reader.Cursor(),
+            Property->ContainerPtrToValuePtr<void>(Value, Index), OwnerObject, PortFlags | PPF_Delimited, ErrorText);
         if (!After) {
             return nullptr;
         }
         Reader.Set(After);
         Reader.SkipSpace();
         if (!Reader.Accept(',') && !Reader.Is(')')) {
-            PropertyText::Report(ErrorText, FString::Printf(TEXT("%s: ',' or ')' expected, found '%s'"), *StructName, *Reader.Rest()));
+            PropertyText::Report(
+                ErrorText, FString::Printf(TEXT("%s: ',' or ')' expected, found '%s'"), *StructName, *Reader.Rest()));
             return nullptr;
         }
         Reader.SkipSpace();

@@ -8,14 +8,12 @@
 
 UClass::~UClass() = default;
 
-void UClass::SetSuperStruct(UStruct* NewSuperStruct)
-{
+void UClass::SetSuperStruct(UStruct* NewSuperStruct) {
     UStruct::SetSuperStruct(NewSuperStruct);
     FObjectSystem::NoteSuperClass(this, static_cast<UClass*>(NewSuperStruct));
 }
 
-const TCHAR* UClass::GetPrefixCPP() const
-{
+const TCHAR* UClass::GetPrefixCPP() const {
     static const FName ActorName(TEXT("Actor"));
     bool bIsActor = false;
     for (const UClass* Class = this; Class && !bIsActor; Class = Class->GetSuperClass()) {
@@ -27,27 +25,22 @@ const TCHAR* UClass::GetPrefixCPP() const
     return bIsActor ? TEXT("A") : TEXT("U");
 }
 
-FString UClass::GetConfigName() const
-{
-    return ClassConfigName.ToString();
-}
+FString UClass::GetConfigName() const { return ClassConfigName.ToString(); }
 
-FName UClass::GetDefaultObjectName() const
-{
-    return FName(*(FString(TEXT("Default__")) + GetName()));
-}
+FName UClass::GetDefaultObjectName() const { return FName(*(FString(TEXT("Default__")) + GetName())); }
 
-UObject* UClass::CreateDefaultObject()
-{
+UObject* UClass::CreateDefaultObject() {
     if (ClassDefaultObject) {
         return ClassDefaultObject;
     }
-    checkf(HasAnyClassFlags(CLASS_Constructed), TEXT("Class %s is not registered yet, its class default object cannot be made"), *GetPathName());
+    checkf(HasAnyClassFlags(CLASS_Constructed),
+        TEXT("Class %s is not registered yet, its class default object cannot be made"), *GetPathName());
     if (UClass* SuperClass = GetSuperClass()) {
         SuperClass->GetDefaultObject();
     }
     // Constructors may ask for this class default object, so the pointer is set before they run.
-    void* Memory = FObjectSystem::AllocateObject(static_cast<SIZE_T>(GetPropertiesSize()), static_cast<SIZE_T>(GetMinAlignment()));
+    void* Memory =
+        FObjectSystem::AllocateObject(static_cast<SIZE_T>(GetPropertiesSize()), static_cast<SIZE_T>(GetMinAlignment()));
     ClassDefaultObject = static_cast<UObject*>(Memory);
     const EObjectFlags Flags = RF_Public | RF_ClassDefaultObject | RF_ArchetypeObject | RF_NeedInitialization;
     FStaticConstructObjectParameters Params(this);
@@ -65,17 +58,14 @@ UObject* UClass::CreateDefaultObject()
     return ClassDefaultObject;
 }
 
-UObject* UClass::GetDefaultSubobjectByName(FName ToFind)
-{
+UObject* UClass::GetDefaultSubobjectByName(FName ToFind) {
     return GetDefaultObject()->GetDefaultSubobjectByName(ToFind);
 }
-void UClass::GetDefaultObjectSubobjects(TArray<UObject*>& OutDefaultSubobjects)
-{
+void UClass::GetDefaultObjectSubobjects(TArray<UObject*>& OutDefaultSubobjects) {
     GetDefaultObject()->GetDefaultSubobjects(OutDefaultSubobjects);
 }
 
-UFunction* UClass::FindFunctionByName(FName InName, EIncludeSuperFlag::Type IncludeSuper) const
-{
+UFunction* UClass::FindFunctionByName(FName InName, EIncludeSuperFlag::Type IncludeSuper) const {
     for (const UClass* Class = this; Class; Class = Class->GetSuperClass()) {
         if (UFunction* const* Own = Class->FuncMap.Find(InName)) {
             return *Own;
@@ -93,24 +83,15 @@ UFunction* UClass::FindFunctionByName(FName InName, EIncludeSuperFlag::Type Incl
     }
     return nullptr;
 }
-void UClass::GenerateFunctionList(TArray<FName>& OutArray) const
-{
-    FuncMap.GenerateKeyArray(OutArray);
-}
-bool UClass::IsFunctionImplementedInScript(FName) const
-{
-    return false;
-}
-void UClass::AddNativeFunction(const ANSICHAR* InName, FNativeFuncPtr InPointer)
-{
+void UClass::GenerateFunctionList(TArray<FName>& OutArray) const { FuncMap.GenerateKeyArray(OutArray); }
+bool UClass::IsFunctionImplementedInScript(FName) const { return false; }
+void UClass::AddNativeFunction(const ANSICHAR* InName, FNativeFuncPtr InPointer) {
     NativeFunctionLookupTable.Add({FName(InName), InPointer});
 }
-void UClass::AddNativeFunction(const TCHAR* InName, FNativeFuncPtr InPointer)
-{
+void UClass::AddNativeFunction(const TCHAR* InName, FNativeFuncPtr InPointer) {
     NativeFunctionLookupTable.Add({FName(InName), InPointer});
 }
-void UClass::LinkChildFunction(UFunction* Function)
-{
+void UClass::LinkChildFunction(UFunction* Function) {
     Function->Next = nullptr;
     if (!Children) {
         Children = Function;
@@ -124,8 +105,7 @@ void UClass::LinkChildFunction(UFunction* Function)
     AddFunctionToFunctionMap(Function, Function->GetFName());
 }
 
-bool UClass::ImplementsInterface(const UClass* SomeInterface) const
-{
+bool UClass::ImplementsInterface(const UClass* SomeInterface) const {
     if (!SomeInterface || !SomeInterface->HasAnyClassFlags(CLASS_Interface)) {
         return false;
     }
@@ -139,8 +119,7 @@ bool UClass::ImplementsInterface(const UClass* SomeInterface) const
     return false;
 }
 
-void UClass::Link(bool bComputeLayout)
-{
+void UClass::Link(bool bComputeLayout) {
     UStruct::Link(bComputeLayout);
     for (FProperty* Property = PropertyLink; Property; Property = Property->PropertyLinkNext) {
         if (Property->ContainsInstancedObjectProperty()) {
@@ -149,8 +128,7 @@ void UClass::Link(bool bComputeLayout)
     }
 }
 
-UClass* UClass::FindCommonBase(UClass* InClassA, UClass* InClassB)
-{
+UClass* UClass::FindCommonBase(UClass* InClassA, UClass* InClassB) {
     UClass* Common = InClassA;
     while (Common && InClassB && !InClassB->IsChildOf(Common)) {
         Common = Common->GetSuperClass();
@@ -158,8 +136,7 @@ UClass* UClass::FindCommonBase(UClass* InClassA, UClass* InClassB)
     return InClassB ? Common : nullptr;
 }
 
-void UClass::AddReferencedObjects(UObject* InThis, FReferenceCollector& Collector)
-{
+void UClass::AddReferencedObjects(UObject* InThis, FReferenceCollector& Collector) {
     UClass* This = static_cast<UClass*>(InThis);
     Collector.AddReferencedObject(This->ClassDefaultObject, This);
     Collector.AddReferencedObject(This->ClassWithin, This);

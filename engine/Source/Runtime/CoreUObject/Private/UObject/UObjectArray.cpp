@@ -7,14 +7,12 @@
 
 constinit FUObjectArray GUObjectArray;
 
-namespace
-{
+namespace {
 /** Serial numbers are given to slots on demand and never twice, so a stale weak pointer can never match again. */
 std::atomic<int32> GNextSerialNumber{1000};
-}
+} // namespace
 
-FUObjectItem* FUObjectArray::IndexToObject(int32 Index, bool bEvenIfGarbage)
-{
+FUObjectItem* FUObjectArray::IndexToObject(int32 Index, bool bEvenIfGarbage) {
     FUObjectItem* Item = IndexToObject(Index);
     if (!Item || !Item->Object || Item->IsUnreachable() || (!bEvenIfGarbage && Item->IsGarbage())) {
         return nullptr;
@@ -22,8 +20,7 @@ FUObjectItem* FUObjectArray::IndexToObject(int32 Index, bool bEvenIfGarbage)
     return Item;
 }
 
-int32 FUObjectArray::AllocateSerialNumber(int32 Index)
-{
+int32 FUObjectArray::AllocateSerialNumber(int32 Index) {
     FUObjectItem* Item = IndexToObject(Index);
     check(Item);
     std::atomic_ref<int32> Serial(Item->SerialNumber);
@@ -38,19 +35,16 @@ int32 FUObjectArray::AllocateSerialNumber(int32 Index)
     return Current;
 }
 
-bool FUObjectArray::IsValidIndex(const UObjectBase* Object)
-{
+bool FUObjectArray::IsValidIndex(const UObjectBase* Object) {
     return Object && IndexToObject(Object->InternalIndex) != nullptr;
 }
 
-bool FUObjectArray::IsValid(const UObjectBase* Object)
-{
+bool FUObjectArray::IsValid(const UObjectBase* Object) {
     const FUObjectItem* Item = Object ? IndexToObject(Object->InternalIndex) : nullptr;
     return Item && Item->Object == Object;
 }
 
-void FUObjectArray::AllocateUObjectIndex(UObjectBase* Object, EInternalObjectFlags InitialFlags)
-{
+void FUObjectArray::AllocateUObjectIndex(UObjectBase* Object, EInternalObjectFlags InitialFlags) {
     int32 Index;
     if (FirstFree != INDEX_NONE) {
         Index = FirstFree;
@@ -72,8 +66,7 @@ void FUObjectArray::AllocateUObjectIndex(UObjectBase* Object, EInternalObjectFla
     Object->InternalIndex = Index;
 }
 
-void FUObjectArray::FreeUObjectIndex(UObjectBase* Object)
-{
+void FUObjectArray::FreeUObjectIndex(UObjectBase* Object) {
     const int32 Index = Object->InternalIndex;
     FUObjectItem* Item = IndexToObject(Index);
     check(Item && Item->Object == Object);

@@ -6,11 +6,9 @@
 #include "UObject/Package.h"
 #include "UObject/UObjectBaseUtility.h"
 
-namespace
-{
+namespace {
 /** Identity of the object whose constructor starts next on this thread. */
-struct FPendingIdentity
-{
+struct FPendingIdentity {
     UClass* Class;
     UObject* Outer;
     FName Name;
@@ -19,22 +17,19 @@ struct FPendingIdentity
     bool bSet;
 };
 thread_local FPendingIdentity GPendingIdentity{};
-}
+} // namespace
 
-void* FObjectSystem::AllocateObject(SIZE_T Size, SIZE_T Alignment)
-{
+void* FObjectSystem::AllocateObject(SIZE_T Size, SIZE_T Alignment) {
     // UE promises that members without initialiser are zero.
     return FMemory::MallocZeroed(Size, static_cast<uint32>(Alignment > 16 ? Alignment : 16));
 }
 
 void FObjectSystem::SetNextIdentity(
-    const UClass* Class, UObject* Outer, FName Name, EObjectFlags Flags, EInternalObjectFlags InternalFlags)
-{
+    const UClass* Class, UObject* Outer, FName Name, EObjectFlags Flags, EInternalObjectFlags InternalFlags) {
     GPendingIdentity = {const_cast<UClass*>(Class), Outer, Name, Flags, InternalFlags, true};
 }
 
-UObjectBase::UObjectBase()
-{
+UObjectBase::UObjectBase() {
     FPendingIdentity& Pending = GPendingIdentity;
     checkf(Pending.bSet, TEXT("Objects can only be made by NewObject or CreateDefaultSubobject"));
     Pending.bSet = false;
@@ -48,8 +43,7 @@ UObjectBase::UObjectBase()
     }
 }
 
-UObjectBase::~UObjectBase()
-{
+UObjectBase::~UObjectBase() {
     // Reached only through the collector or an in-place replacement, both of which ran the destruction steps before.
     if (InternalIndex != INDEX_NONE) {
         if (!NamePrivate.IsNone()) {
@@ -60,14 +54,12 @@ UObjectBase::~UObjectBase()
     }
 }
 
-void FObjectSystem::DestroyAndFree(UObject* Object)
-{
+void FObjectSystem::DestroyAndFree(UObject* Object) {
     Object->~UObject();
     FMemory::Free(Object);
 }
 
-void FObjectSystem::DestroyInPlace(UObject* Object)
-{
+void FObjectSystem::DestroyInPlace(UObject* Object) {
     const SIZE_T Size = static_cast<SIZE_T>(Object->GetClass()->GetPropertiesSize());
     Object->ConditionalBeginDestroy();
     Object->ConditionalFinishDestroy();
@@ -75,22 +67,18 @@ void FObjectSystem::DestroyInPlace(UObject* Object)
     FMemory::Memzero(Object, Size);
 }
 
-bool UObjectBase::IsValidLowLevel() const
-{
-    return GUObjectArray.IsValid(this);
-}
+bool UObjectBase::IsValidLowLevel() const { return GUObjectArray.IsValid(this); }
 
-bool UObjectBase::IsValidLowLevelFast(bool bRecursive) const
-{
+bool UObjectBase::IsValidLowLevelFast(bool bRecursive) const {
     const void* Address = this;
-    if (reinterpret_cast<UPTRINT>(Address) < 0x100 || (reinterpret_cast<UPTRINT>(Address) & 7) != 0 || !GUObjectArray.IsValid(this)) {
+    if (reinterpret_cast<UPTRINT>(Address) < 0x100 || (reinterpret_cast<UPTRINT>(Address) & 7) != 0 ||
+        !GUObjectArray.IsValid(this)) {
         return false;
     }
     return ClassPrivate && (!bRecursive || static_cast<const UObjectBase*>(ClassPrivate)->IsValidLowLevelFast(false));
 }
 
-void UObjectBase::LowLevelRename(FName NewName, UObject* NewOuter)
-{
+void UObjectBase::LowLevelRename(FName NewName, UObject* NewOuter) {
     FObjectSystem::Unhash(this);
     NamePrivate = NewName;
     if (NewOuter) {
@@ -101,8 +89,7 @@ void UObjectBase::LowLevelRename(FName NewName, UObject* NewOuter)
     }
 }
 
-void UObjectBase::SetClass(UClass* NewClass)
-{
+void UObjectBase::SetClass(UClass* NewClass) {
     FObjectSystem::Unhash(this);
     ClassPrivate = NewClass;
     FObjectSystem::Hash(this);
@@ -110,88 +97,62 @@ void UObjectBase::SetClass(UClass* NewClass)
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-EInternalObjectFlags UObjectBaseUtility::GetInternalFlags() const
-{
+EInternalObjectFlags UObjectBaseUtility::GetInternalFlags() const {
     return GUObjectArray.ObjectToObjectItem(this)->GetFlags();
 }
-bool UObjectBaseUtility::HasAnyInternalFlags(EInternalObjectFlags FlagsToCheck) const
-{
+bool UObjectBaseUtility::HasAnyInternalFlags(EInternalObjectFlags FlagsToCheck) const {
     const FUObjectItem* Item = GUObjectArray.ObjectToObjectItem(this);
     return Item && Item->HasAnyFlags(FlagsToCheck);
 }
-void UObjectBaseUtility::SetInternalFlags(EInternalObjectFlags FlagsToSet) const
-{
+void UObjectBaseUtility::SetInternalFlags(EInternalObjectFlags FlagsToSet) const {
     GUObjectArray.ObjectToObjectItem(this)->Flags |= static_cast<int32>(FlagsToSet);
 }
-void UObjectBaseUtility::ClearInternalFlags(EInternalObjectFlags FlagsToClear) const
-{
+void UObjectBaseUtility::ClearInternalFlags(EInternalObjectFlags FlagsToClear) const {
     GUObjectArray.ObjectToObjectItem(this)->Flags &= ~static_cast<int32>(FlagsToClear);
 }
-bool UObjectBaseUtility::AtomicallySetInternalFlags(EInternalObjectFlags FlagsToSet) const
-{
+bool UObjectBaseUtility::AtomicallySetInternalFlags(EInternalObjectFlags FlagsToSet) const {
     const bool bChanged = (GetInternalFlags() & FlagsToSet) != FlagsToSet;
     SetInternalFlags(FlagsToSet);
     return bChanged;
 }
-bool UObjectBaseUtility::AtomicallyClearInternalFlags(EInternalObjectFlags FlagsToClear) const
-{
+bool UObjectBaseUtility::AtomicallyClearInternalFlags(EInternalObjectFlags FlagsToClear) const {
     const bool bChanged = HasAnyInternalFlags(FlagsToClear);
     ClearInternalFlags(FlagsToClear);
     return bChanged;
 }
 
-void UObjectBaseUtility::MarkAsGarbage()
-{
-    checkf(!IsRooted(), TEXT("%s is in the root set and cannot become garbage; call RemoveFromRoot first"), *GetPathName());
+void UObjectBaseUtility::MarkAsGarbage() {
+    checkf(!IsRooted(), TEXT("%s is in the root set and cannot become garbage; call RemoveFromRoot first"),
+        *GetPathName());
     AtomicallySetFlags(RF_MirroredGarbage);
     SetInternalFlags(EInternalObjectFlags::Garbage);
 }
-void UObjectBaseUtility::ClearGarbage()
-{
+void UObjectBaseUtility::ClearGarbage() {
     AtomicallyClearFlags(RF_MirroredGarbage);
     ClearInternalFlags(EInternalObjectFlags::Garbage);
 }
-void UObjectBaseUtility::AddToRoot()
-{
-    SetInternalFlags(EInternalObjectFlags::RootSet);
-}
-void UObjectBaseUtility::RemoveFromRoot()
-{
-    ClearInternalFlags(EInternalObjectFlags::RootSet);
-}
-bool UObjectBaseUtility::IsRooted() const
-{
-    return HasAnyInternalFlags(EInternalObjectFlags::RootSet);
-}
+void UObjectBaseUtility::AddToRoot() { SetInternalFlags(EInternalObjectFlags::RootSet); }
+void UObjectBaseUtility::RemoveFromRoot() { ClearInternalFlags(EInternalObjectFlags::RootSet); }
+bool UObjectBaseUtility::IsRooted() const { return HasAnyInternalFlags(EInternalObjectFlags::RootSet); }
 
-FString UObjectBaseUtility::GetName() const
-{
-    return GetFName().ToString();
-}
-void UObjectBaseUtility::GetName(FString& ResultString) const
-{
-    GetFName().ToString(ResultString);
-}
+FString UObjectBaseUtility::GetName() const { return GetFName().ToString(); }
+void UObjectBaseUtility::GetName(FString& ResultString) const { GetFName().ToString(ResultString); }
 
-FString UObjectBaseUtility::GetFullName(const UObject* StopOuter) const
-{
+FString UObjectBaseUtility::GetFullName(const UObject* StopOuter) const {
     FString Result;
     GetFullName(Result, StopOuter);
     return Result;
 }
-void UObjectBaseUtility::GetFullName(FString& ResultString, const UObject* StopOuter) const
-{
+void UObjectBaseUtility::GetFullName(FString& ResultString, const UObject* StopOuter) const {
     ResultString = GetClass()->GetName() + TEXT(" ") + GetPathName(StopOuter);
 }
 
-FString UObjectBaseUtility::GetPathName(const UObject* StopOuter) const
-{
+FString UObjectBaseUtility::GetPathName(const UObject* StopOuter) const {
     FString Result;
     GetPathName(StopOuter, Result);
     return Result;
 }
-void UObjectBaseUtility::GetPathName(const UObject* StopOuter, FString& ResultString) const
-{
+void UObjectBaseUtility::GetPathName(const UObject* StopOuter, FString& ResultString) const {
     ResultString.Reset();
     if (static_cast<const UObjectBase*>(this) == static_cast<const UObjectBase*>(StopOuter)) {
         return;
@@ -200,19 +161,15 @@ void UObjectBaseUtility::GetPathName(const UObject* StopOuter, FString& ResultSt
     if (Outer && Outer != StopOuter) {
         Outer->GetPathName(StopOuter, ResultString);
         // The object directly below a top-level object starts the subobject part of the path.
-        const bool bStartsSubobjectPath =
-            Outer->GetClass() != UPackage::StaticClass() && Outer->GetOuter() && Outer->GetOuter()->GetClass() == UPackage::StaticClass();
+        const bool bStartsSubobjectPath = Outer->GetClass() != UPackage::StaticClass() && Outer->GetOuter() &&
+                                          Outer->GetOuter()->GetClass() == UPackage::StaticClass();
         ResultString += bStartsSubobjectPath ? SUBOBJECT_DELIMITER : TEXT(".");
     }
     ResultString += GetName();
 }
 
-UPackage* UObjectBaseUtility::GetOutermost() const
-{
-    return GetPackage();
-}
-UPackage* UObjectBaseUtility::GetPackage() const
-{
+UPackage* UObjectBaseUtility::GetOutermost() const { return GetPackage(); }
+UPackage* UObjectBaseUtility::GetPackage() const {
     const UObjectBase* Top = this;
     while (Top->GetOuter()) {
         Top = Top->GetOuter();
@@ -221,16 +178,14 @@ UPackage* UObjectBaseUtility::GetPackage() const
                ? static_cast<UPackage*>(const_cast<UObjectBase*>(Top))
                : nullptr;
 }
-UObject* UObjectBaseUtility::GetOutermostObject() const
-{
+UObject* UObjectBaseUtility::GetOutermostObject() const {
     UObject* Top = static_cast<UObject*>(const_cast<UObjectBaseUtility*>(this));
     while (Top->GetOuter() && Top->GetOuter()->GetOuter()) {
         Top = Top->GetOuter();
     }
     return Top;
 }
-bool UObjectBaseUtility::MarkPackageDirty() const
-{
+bool UObjectBaseUtility::MarkPackageDirty() const {
     UPackage* Package = HasAnyFlags(RF_Transient) ? nullptr : GetPackage();
     if (!Package) {
         return false;
@@ -238,18 +193,13 @@ bool UObjectBaseUtility::MarkPackageDirty() const
     Package->SetDirtyFlag(true);
     return true;
 }
-bool UObjectBaseUtility::IsPackageExternal() const
-{
-    return false;
-}
-bool UObjectBaseUtility::RootPackageHasAnyFlags(uint32 CheckFlagMask) const
-{
+bool UObjectBaseUtility::IsPackageExternal() const { return false; }
+bool UObjectBaseUtility::RootPackageHasAnyFlags(uint32 CheckFlagMask) const {
     const UPackage* Package = GetPackage();
     return Package && Package->HasAnyPackageFlags(CheckFlagMask);
 }
 
-UObject* UObjectBaseUtility::GetTypedOuter(UClass* Target) const
-{
+UObject* UObjectBaseUtility::GetTypedOuter(UClass* Target) const {
     for (UObject* Outer = GetOuter(); Outer; Outer = Outer->GetOuter()) {
         if (Outer->IsA(Target)) {
             return Outer;
@@ -257,8 +207,7 @@ UObject* UObjectBaseUtility::GetTypedOuter(UClass* Target) const
     }
     return nullptr;
 }
-bool UObjectBaseUtility::IsIn(const UObject* SomeOuter) const
-{
+bool UObjectBaseUtility::IsIn(const UObject* SomeOuter) const {
     for (const UObject* Outer = GetOuter(); Outer; Outer = Outer->GetOuter()) {
         if (Outer == SomeOuter) {
             return true;
@@ -266,31 +215,23 @@ bool UObjectBaseUtility::IsIn(const UObject* SomeOuter) const
     }
     return SomeOuter == nullptr;
 }
-bool UObjectBaseUtility::IsInOuter(const UObject* SomeOuter) const
-{
-    return IsIn(SomeOuter);
-}
-bool UObjectBaseUtility::IsInPackage(const UPackage* SomePackage) const
-{
+bool UObjectBaseUtility::IsInOuter(const UObject* SomeOuter) const { return IsIn(SomeOuter); }
+bool UObjectBaseUtility::IsInPackage(const UPackage* SomePackage) const {
     return static_cast<const UObjectBase*>(SomePackage) != this && GetPackage() == SomePackage;
 }
-bool UObjectBaseUtility::IsInA(const UClass* SomeBaseClass) const
-{
+bool UObjectBaseUtility::IsInA(const UClass* SomeBaseClass) const {
     return IsA(SomeBaseClass) || GetTypedOuter(const_cast<UClass*>(SomeBaseClass)) != nullptr;
 }
 
-bool UObjectBaseUtility::IsA(const UClass* SomeBase) const
-{
+bool UObjectBaseUtility::IsA(const UClass* SomeBase) const {
     checkf(SomeBase, TEXT("IsA(null) on %s"), *GetPathName());
     return GetClass() == SomeBase || GetClass()->IsChildOf(SomeBase);
 }
-UClass* UObjectBaseUtility::FindNearestCommonBaseClass(UClass* TestClass) const
-{
+UClass* UObjectBaseUtility::FindNearestCommonBaseClass(UClass* TestClass) const {
     return UClass::FindCommonBase(GetClass(), TestClass);
 }
 
-void* UObjectBaseUtility::GetInterfaceAddress(UClass* InterfaceClass)
-{
+void* UObjectBaseUtility::GetInterfaceAddress(UClass* InterfaceClass) {
     if (!InterfaceClass || !InterfaceClass->HasAnyClassFlags(CLASS_Interface)) {
         return nullptr;
     }
@@ -303,17 +244,12 @@ void* UObjectBaseUtility::GetInterfaceAddress(UClass* InterfaceClass)
     }
     return nullptr;
 }
-void* UObjectBaseUtility::GetNativeInterfaceAddress(UClass* InterfaceClass)
-{
+void* UObjectBaseUtility::GetNativeInterfaceAddress(UClass* InterfaceClass) {
     return GetInterfaceAddress(InterfaceClass);
 }
 
-bool UObjectBaseUtility::IsDefaultSubobject() const
-{
-    return HasAnyFlags(RF_DefaultSubObject);
-}
-bool UObjectBaseUtility::IsTemplate(EObjectFlags TemplateTypes) const
-{
+bool UObjectBaseUtility::IsDefaultSubobject() const { return HasAnyFlags(RF_DefaultSubObject); }
+bool UObjectBaseUtility::IsTemplate(EObjectFlags TemplateTypes) const {
     for (const UObject* Object = static_cast<const UObject*>(this); Object; Object = Object->GetOuter()) {
         if (Object->HasAnyFlags(TemplateTypes)) {
             return true;
@@ -322,25 +258,16 @@ bool UObjectBaseUtility::IsTemplate(EObjectFlags TemplateTypes) const
     return false;
 }
 
-bool IsValidChecked(const UObject* Test)
-{
+bool IsValidChecked(const UObject* Test) {
     check(Test);
     return !Test->HasAnyInternalFlags(EInternalObjectFlags::Garbage);
 }
-bool IsValid(const UObject* Test)
-{
-    return Test && IsValidChecked(Test);
-}
+bool IsValid(const UObject* Test) { return Test && IsValidChecked(Test); }
 
-FString GetNameSafe(const UObjectBaseUtility* Object)
-{
-    return Object ? Object->GetName() : FString(TEXT("None"));
-}
-FString GetPathNameSafe(const UObjectBaseUtility* Object)
-{
+FString GetNameSafe(const UObjectBaseUtility* Object) { return Object ? Object->GetName() : FString(TEXT("None")); }
+FString GetPathNameSafe(const UObjectBaseUtility* Object) {
     return Object ? Object->GetPathName() : FString(TEXT("None"));
 }
-FString GetFullNameSafe(const UObjectBaseUtility* Object)
-{
+FString GetFullNameSafe(const UObjectBaseUtility* Object) {
     return Object ? Object->GetFullName() : FString(TEXT("None"));
 }

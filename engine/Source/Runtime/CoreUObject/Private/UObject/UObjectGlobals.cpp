@@ -18,21 +18,19 @@ FSimpleMulticastDelegate FCoreUObjectDelegates::GarbageCollectComplete;
 FCoreUObjectDelegates::FOnAssetLoaded FCoreUObjectDelegates::OnAssetLoaded;
 FCoreUObjectDelegates::FPreLoadMapDelegate FCoreUObjectDelegates::PreLoadMap;
 FCoreUObjectDelegates::FPostLoadMapDelegate FCoreUObjectDelegates::PostLoadMapWithWorld;
-FCoreUObjectDelegates::FCompiledInUObjectsRegisteredDelegate FCoreUObjectDelegates::CompiledInUObjectsRegisteredDelegate;
+FCoreUObjectDelegates::FCompiledInUObjectsRegisteredDelegate
+    FCoreUObjectDelegates::CompiledInUObjectsRegisteredDelegate;
 
-FSimpleMulticastDelegate& FCoreUObjectDelegates::GetPreGarbageCollectDelegate()
-{
+FSimpleMulticastDelegate& FCoreUObjectDelegates::GetPreGarbageCollectDelegate() {
     static FSimpleMulticastDelegate Delegate;
     return Delegate;
 }
-FSimpleMulticastDelegate& FCoreUObjectDelegates::GetPostGarbageCollect()
-{
+FSimpleMulticastDelegate& FCoreUObjectDelegates::GetPostGarbageCollect() {
     static FSimpleMulticastDelegate Delegate;
     return Delegate;
 }
 
-UPackage* GetTransientPackage()
-{
+UPackage* GetTransientPackage() {
     static UPackage* const Package = [] {
         UPackage* Result = NewObject<UPackage>(nullptr, TEXT("/Engine/Transient"), RF_Transient);
         Result->AddToRoot();
@@ -40,22 +38,20 @@ UPackage* GetTransientPackage()
     }();
     return Package;
 }
-UObject* GetTransientPackageAsObject()
-{
-    return GetTransientPackage();
-}
+UObject* GetTransientPackageAsObject() { return GetTransientPackage(); }
 
-FName MakeUniqueObjectName(UObject* Parent, const UClass* Class, FName BaseName)
-{
+FName MakeUniqueObjectName(UObject* Parent, const UClass* Class, FName BaseName) {
     if (BaseName.IsNone()) {
         BaseName = Class->GetFName();
     }
     // The search starts at the number after the last one given out, so that many objects of one name stay cheap.
-    struct FKeyHash
-    {
-        SIZE_T operator()(const FNameOuterKey& Key) const { return HashCombineFast(GetTypeHash(Key.Name), PointerHash(Key.Outer)); }
+    struct FKeyHash {
+        SIZE_T operator()(const FNameOuterKey& Key) const {
+            return HashCombineFast(GetTypeHash(Key.Name), PointerHash(Key.Outer));
+        }
     };
-    static std::unordered_map<FNameOuterKey, int32, FKeyHash>& NextNumbers = *new std::unordered_map<FNameOuterKey, int32, FKeyHash>;
+    static std::unordered_map<FNameOuterKey, int32, FKeyHash>& NextNumbers =
+        *new std::unordered_map<FNameOuterKey, int32, FKeyHash>;
     const FName Plain(BaseName, NAME_NO_NUMBER_INTERNAL);
     // Numbers are counted per class, as in UE: they never go back while the process runs.
     int32& Number = NextNumbers[{Class, Plain}];
@@ -70,17 +66,14 @@ FName MakeUniqueObjectName(UObject* Parent, const UClass* Class, FName BaseName)
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-UObject* StaticFindObjectFast(UClass* Class, UObject* InOuter, FName InName, bool bExactClass, EObjectFlags ExclusiveFlags,
-    EInternalObjectFlags ExclusiveInternalFlags)
-{
+UObject* StaticFindObjectFast(UClass* Class, UObject* InOuter, FName InName, bool bExactClass,
+    EObjectFlags ExclusiveFlags, EInternalObjectFlags ExclusiveInternalFlags) {
     return FObjectSystem::Find(Class, InOuter, InName, bExactClass, ExclusiveFlags, ExclusiveInternalFlags);
 }
 
-namespace
-{
+namespace {
 /** "Class'/Path'" without the class part and the quotes. */
-FString WithoutClassPrefix(const FString& Path)
-{
+FString WithoutClassPrefix(const FString& Path) {
     int32 Quote = INDEX_NONE;
     if (Path.FindChar(TCHAR('\''), Quote)) {
         FString Rest = Path.Mid(Quote + 1);
@@ -91,8 +84,7 @@ FString WithoutClassPrefix(const FString& Path)
 }
 
 /** First '.' or ':' of a path, not counting dots before the last slash. */
-int32 FindDelimiter(const FString& Path, int32 From)
-{
+int32 FindDelimiter(const FString& Path, int32 From) {
     for (int32 Index = From; Index < Path.Len(); ++Index) {
         if (Path[Index] == TCHAR('.') || Path[Index] == TCHAR(':')) {
             return Index;
@@ -100,10 +92,10 @@ int32 FindDelimiter(const FString& Path, int32 From)
     }
     return INDEX_NONE;
 }
-}  // namespace
+} // namespace
 
-bool ResolveName(UObject*& InPackage, FString& InOutName, bool Create, bool Throw, uint32 LoadFlags, const FLinkerInstancingContext*)
-{
+bool ResolveName(UObject*& InPackage, FString& InOutName, bool Create, bool Throw, uint32 LoadFlags,
+    const FLinkerInstancingContext*) {
     InOutName = WithoutClassPrefix(InOutName);
     for (;;) {
         const int32 Delimiter = FindDelimiter(InOutName, 0);
@@ -123,8 +115,7 @@ bool ResolveName(UObject*& InPackage, FString& InOutName, bool Create, bool Thro
     }
 }
 
-UObject* StaticFindObject(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass)
-{
+UObject* StaticFindObject(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass) {
     checkf(Name, TEXT("StaticFindObject: no name was given"));
     UObject* Outer = InOuter;
     FString ObjectName(Name);
@@ -133,25 +124,24 @@ UObject* StaticFindObject(UClass* Class, UObject* InOuter, const TCHAR* Name, bo
     }
     return StaticFindObjectFast(Class, Outer, FName(*ObjectName), bExactClass);
 }
-UObject* StaticFindObjectChecked(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass)
-{
+UObject* StaticFindObjectChecked(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass) {
     UObject* Result = StaticFindObject(Class, InOuter, Name, bExactClass);
-    checkf(Result, TEXT("Object %s of class %s inside %s does not exist"), Name, *GetNameSafe(Class), *GetPathNameSafe(InOuter));
+    checkf(Result, TEXT("Object %s of class %s inside %s does not exist"), Name, *GetNameSafe(Class),
+        *GetPathNameSafe(InOuter));
     return Result;
 }
-UObject* StaticFindObjectSafe(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass)
-{
+UObject* StaticFindObjectSafe(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass) {
     return IsGarbageCollecting() ? nullptr : StaticFindObject(Class, InOuter, Name, bExactClass);
 }
-UObject* StaticFindFirstObject(UClass* Class, const TCHAR* Name, EFindFirstObjectOptions Options)
-{
+UObject* StaticFindFirstObject(UClass* Class, const TCHAR* Name, EFindFirstObjectOptions Options) {
     const FString Text(Name);
     if (Text.StartsWith(TEXT("/")) || FindDelimiter(Text, 0) != INDEX_NONE) {
         return StaticFindObject(Class, nullptr, Name, EnumHasAnyFlags(Options, EFindFirstObjectOptions::ExactClass));
     }
     int32 NumFound = 0;
-    UObject* Result = FObjectSystem::FindByName(Class, FName(Name), EnumHasAnyFlags(Options, EFindFirstObjectOptions::ExactClass),
-        RF_NoFlags, EInternalObjectFlags::None, NumFound);
+    UObject* Result =
+        FObjectSystem::FindByName(Class, FName(Name), EnumHasAnyFlags(Options, EFindFirstObjectOptions::ExactClass),
+            RF_NoFlags, EInternalObjectFlags::None, NumFound);
     ensureMsgf(NumFound < 2 || !EnumHasAnyFlags(Options, EFindFirstObjectOptions::EnsureIfAmbiguous),
         TEXT("'%s' names %d objects; use a path"), Name, NumFound);
     return Result;
@@ -159,31 +149,25 @@ UObject* StaticFindFirstObject(UClass* Class, const TCHAR* Name, EFindFirstObjec
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace
-{
-struct FNamedLoader
-{
+namespace {
+struct FNamedLoader {
     FName Name;
     FContentLoaderRegistry::FLoader Loader;
 };
-TArray<FNamedLoader>& Loaders()
-{
+TArray<FNamedLoader>& Loaders() {
     static TArray<FNamedLoader>& Instance = *new TArray<FNamedLoader>;
     return Instance;
 }
-}  // namespace
+} // namespace
 
-void FContentLoaderRegistry::Register(FName LoaderName, FLoader Loader)
-{
+void FContentLoaderRegistry::Register(FName LoaderName, FLoader Loader) {
     Unregister(LoaderName);
     Loaders().Add({LoaderName, MoveTemp(Loader)});
 }
-void FContentLoaderRegistry::Unregister(FName LoaderName)
-{
+void FContentLoaderRegistry::Unregister(FName LoaderName) {
     Loaders().RemoveAll([LoaderName](const FNamedLoader& Entry) { return Entry.Name == LoaderName; });
 }
-UObject* FContentLoaderRegistry::Load(UClass* Class, const FString& PackageName, const FString& AssetName)
-{
+UObject* FContentLoaderRegistry::Load(UClass* Class, const FString& PackageName, const FString& AssetName) {
     // A loader may register others; walk a copy.
     const TArray<FNamedLoader> Copy = Loaders();
     for (const FNamedLoader& Entry : Copy) {
@@ -194,9 +178,8 @@ UObject* FContentLoaderRegistry::Load(UClass* Class, const FString& PackageName,
     return nullptr;
 }
 
-UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name, const TCHAR*, uint32 LoadFlags, UPackageMap*, bool,
-    const FLinkerInstancingContext*)
-{
+UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name, const TCHAR*, uint32 LoadFlags,
+    UPackageMap*, bool, const FLinkerInstancingContext*) {
     checkf(Name, TEXT("StaticLoadObject: no name was given"));
     UClass* const Wanted = Class ? Class : UObject::StaticClass();
     FString Path = WithoutClassPrefix(FString(Name));
@@ -232,7 +215,8 @@ UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name, co
         Asset = StaticFindObject(Wanted, Asset, *Rest.Mid(SubDelimiter + 1));
     }
     if (Asset && !Asset->IsA(Wanted)) {
-        UE_LOG(LogUObjectGlobals, Warning, TEXT("%s is a %s, not a %s"), *Path, *Asset->GetClass()->GetName(), *Wanted->GetName());
+        UE_LOG(LogUObjectGlobals, Warning, TEXT("%s is a %s, not a %s"), *Path, *Asset->GetClass()->GetName(),
+            *Wanted->GetName());
         return nullptr;
     }
     if (Asset) {
@@ -244,30 +228,29 @@ UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name, co
     return Asset;
 }
 
-UClass* StaticLoadClass(UClass* BaseClass, UObject* InOuter, const TCHAR* Name, const TCHAR* Filename, uint32 LoadFlags, UPackageMap* Sandbox)
-{
-    UClass* Class = static_cast<UClass*>(StaticLoadObject(UClass::StaticClass(), InOuter, Name, Filename, LoadFlags, Sandbox));
+UClass* StaticLoadClass(UClass* BaseClass, UObject* InOuter, const TCHAR* Name, const TCHAR* Filename, uint32 LoadFlags,
+    UPackageMap* Sandbox) {
+    UClass* Class =
+        static_cast<UClass*>(StaticLoadObject(UClass::StaticClass(), InOuter, Name, Filename, LoadFlags, Sandbox));
     if (Class && BaseClass && !Class->IsChildOf(BaseClass)) {
-        UE_LOG(LogUObjectGlobals, Warning, TEXT("%s is no child of %s"), *Class->GetPathName(), *BaseClass->GetPathName());
+        UE_LOG(
+            LogUObjectGlobals, Warning, TEXT("%s is no child of %s"), *Class->GetPathName(), *BaseClass->GetPathName());
         return nullptr;
     }
     return Class;
 }
 
-UPackage* FindPackage(UObject* InOuter, const TCHAR* PackageName)
-{
+UPackage* FindPackage(UObject* InOuter, const TCHAR* PackageName) {
     return static_cast<UPackage*>(StaticFindObjectFast(UPackage::StaticClass(), nullptr, FName(PackageName)));
 }
-UPackage* CreatePackage(const TCHAR* PackageName)
-{
+UPackage* CreatePackage(const TCHAR* PackageName) {
     checkf(PackageName && *PackageName, TEXT("CreatePackage: no name was given"));
     if (UPackage* Existing = FindPackage(nullptr, PackageName)) {
         return Existing;
     }
     return NewObject<UPackage>(nullptr, FName(PackageName), RF_Public);
 }
-UPackage* LoadPackage(UPackage*, const TCHAR* InLongPackageName, uint32 LoadFlags)
-{
+UPackage* LoadPackage(UPackage*, const TCHAR* InLongPackageName, uint32 LoadFlags) {
     if (UPackage* Existing = FindPackage(nullptr, InLongPackageName)) {
         return Existing;
     }
@@ -275,12 +258,6 @@ UPackage* LoadPackage(UPackage*, const TCHAR* InLongPackageName, uint32 LoadFlag
     return Asset ? Asset->GetPackage() : nullptr;
 }
 
-bool IsAsyncLoading()
-{
-    return false;
-}
-bool IsLoading()
-{
-    return false;
-}
+bool IsAsyncLoading() { return false; }
+bool IsLoading() { return false; }
 void FlushAsyncLoading(int32) {}

@@ -7,20 +7,18 @@
 
 #include "ObjectSystem.h"
 
-namespace
-{
-struct FNameOuterHash
-{
-    SIZE_T operator()(const FNameOuterKey& Key) const { return HashCombineFast(GetTypeHash(Key.Name), PointerHash(Key.Outer)); }
+namespace {
+struct FNameOuterHash {
+    SIZE_T operator()(const FNameOuterKey& Key) const {
+        return HashCombineFast(GetTypeHash(Key.Name), PointerHash(Key.Outer));
+    }
 };
-struct FNameHash
-{
+struct FNameHash {
     SIZE_T operator()(const FName& Name) const { return GetTypeHash(Name); }
 };
 using FIndexSet = std::set<int32>;
 
-struct FTables
-{
+struct FTables {
     std::unordered_map<FNameOuterKey, FIndexSet, FNameOuterHash> ByNameAndOuter;
     std::unordered_map<FName, FIndexSet, FNameHash> ByName;
     std::unordered_map<const UObjectBase*, FIndexSet> ByOuter;
@@ -28,15 +26,13 @@ struct FTables
     std::unordered_map<const UClass*, TArray<UClass*>> Subclasses;
 };
 /** Lives until the process ends: objects outlive static destructors. */
-FTables& Tables()
-{
+FTables& Tables() {
     static FTables* const Instance = new FTables;
     return *Instance;
 }
 
 template <typename TMapType, typename TKey>
-void EraseFrom(TMapType& Map, const TKey& Key, int32 Index)
-{
+void EraseFrom(TMapType& Map, const TKey& Key, int32 Index) {
     auto Found = Map.find(Key);
     if (Found != Map.end()) {
         Found->second.erase(Index);
@@ -46,22 +42,17 @@ void EraseFrom(TMapType& Map, const TKey& Key, int32 Index)
     }
 }
 
-UObject* ObjectAt(int32 Index)
-{
-    return static_cast<UObject*>(GUObjectArray.IndexToObject(Index)->Object);
-}
+UObject* ObjectAt(int32 Index) { return static_cast<UObject*>(GUObjectArray.IndexToObject(Index)->Object); }
 
 bool Passes(const UObject* Object, const UClass* Class, bool bExactClass, EObjectFlags ExclusiveFlags,
-    EInternalObjectFlags ExclusiveInternalFlags)
-{
+    EInternalObjectFlags ExclusiveInternalFlags) {
     return !Object->HasAnyFlags(ExclusiveFlags) &&
            !Object->HasAnyInternalFlags(ExclusiveInternalFlags | EInternalObjectFlags::Unreachable) &&
            (!Class || (bExactClass ? Object->GetClass() == Class : Object->IsA(Class)));
 }
-}  // namespace
+} // namespace
 
-void FObjectSystem::Hash(UObjectBase* Object)
-{
+void FObjectSystem::Hash(UObjectBase* Object) {
     FTables& Table = Tables();
     const int32 Index = static_cast<int32>(Object->GetUniqueID());
     Table.ByNameAndOuter[{Object->GetOuter(), Object->GetFName()}].insert(Index);
@@ -72,8 +63,7 @@ void FObjectSystem::Hash(UObjectBase* Object)
     Table.ByClass[Object->GetClass()].insert(Index);
 }
 
-void FObjectSystem::Unhash(UObjectBase* Object)
-{
+void FObjectSystem::Unhash(UObjectBase* Object) {
     FTables& Table = Tables();
     const int32 Index = static_cast<int32>(Object->GetUniqueID());
     EraseFrom(Table.ByNameAndOuter, FNameOuterKey{Object->GetOuter(), Object->GetFName()}, Index);
@@ -82,9 +72,8 @@ void FObjectSystem::Unhash(UObjectBase* Object)
     EraseFrom(Table.ByClass, static_cast<const UObjectBase*>(Object->GetClass()), Index);
 }
 
-UObject* FObjectSystem::Find(const UClass* Class, const UObject* Outer, FName Name, bool bExactClass, EObjectFlags ExclusiveFlags,
-    EInternalObjectFlags ExclusiveInternalFlags)
-{
+UObject* FObjectSystem::Find(const UClass* Class, const UObject* Outer, FName Name, bool bExactClass,
+    EObjectFlags ExclusiveFlags, EInternalObjectFlags ExclusiveInternalFlags) {
     const FTables& Table = Tables();
     const auto Found = Table.ByNameAndOuter.find({Outer, Name});
     if (Found != Table.ByNameAndOuter.end()) {
@@ -99,8 +88,7 @@ UObject* FObjectSystem::Find(const UClass* Class, const UObject* Outer, FName Na
 }
 
 UObject* FObjectSystem::FindByName(const UClass* Class, FName Name, bool bExactClass, EObjectFlags ExclusiveFlags,
-    EInternalObjectFlags ExclusiveInternalFlags, int32& OutNumFound)
-{
+    EInternalObjectFlags ExclusiveInternalFlags, int32& OutNumFound) {
     OutNumFound = 0;
     UObject* First = nullptr;
     const FTables& Table = Tables();
@@ -117,8 +105,7 @@ UObject* FObjectSystem::FindByName(const UClass* Class, FName Name, bool bExactC
     return First;
 }
 
-void FObjectSystem::CollectInners(const UObject* Outer, TArray<UObject*>& Out)
-{
+void FObjectSystem::CollectInners(const UObject* Outer, TArray<UObject*>& Out) {
     const FTables& Table = Tables();
     const auto Found = Table.ByOuter.find(Outer);
     if (Found != Table.ByOuter.end()) {
@@ -128,8 +115,7 @@ void FObjectSystem::CollectInners(const UObject* Outer, TArray<UObject*>& Out)
     }
 }
 
-void FObjectSystem::CollectOfClass(const UClass* Class, TArray<UObject*>& Out)
-{
+void FObjectSystem::CollectOfClass(const UClass* Class, TArray<UObject*>& Out) {
     const FTables& Table = Tables();
     const auto Found = Table.ByClass.find(Class);
     if (Found != Table.ByClass.end()) {
@@ -139,15 +125,13 @@ void FObjectSystem::CollectOfClass(const UClass* Class, TArray<UObject*>& Out)
     }
 }
 
-void FObjectSystem::NoteSuperClass(UClass* Class, UClass* Super)
-{
+void FObjectSystem::NoteSuperClass(UClass* Class, UClass* Super) {
     if (Super) {
         Tables().Subclasses[Super].AddUnique(Class);
     }
 }
 
-const TArray<UClass*>& FObjectSystem::DirectSubclasses(const UClass* Class)
-{
+const TArray<UClass*>& FObjectSystem::DirectSubclasses(const UClass* Class) {
     static const TArray<UClass*> None;
     const FTables& Table = Tables();
     const auto Found = Table.Subclasses.find(Class);
@@ -156,10 +140,8 @@ const TArray<UClass*>& FObjectSystem::DirectSubclasses(const UClass* Class)
 
 // ---------------------------------------------------------------------------------------------------------------------------
 
-namespace
-{
-void CollectClasses(const UClass* Class, bool bRecursive, TArray<UClass*>& Out)
-{
+namespace {
+void CollectClasses(const UClass* Class, bool bRecursive, TArray<UClass*>& Out) {
     for (UClass* Subclass : FObjectSystem::DirectSubclasses(Class)) {
         Out.Add(Subclass);
         if (bRecursive) {
@@ -167,8 +149,8 @@ void CollectClasses(const UClass* Class, bool bRecursive, TArray<UClass*>& Out)
         }
     }
 }
-void KeepPassing(TArray<UObject*>& Objects, int32 First, EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags)
-{
+void KeepPassing(
+    TArray<UObject*>& Objects, int32 First, EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags) {
     int32 Kept = First;
     for (int32 Index = First; Index < Objects.Num(); ++Index) {
         if (Passes(Objects[Index], nullptr, false, ExclusionFlags, ExclusionInternalFlags)) {
@@ -177,16 +159,14 @@ void KeepPassing(TArray<UObject*>& Objects, int32 First, EObjectFlags ExclusionF
     }
     Objects.SetNum(Kept);
 }
-}  // namespace
+} // namespace
 
-void GetDerivedClasses(const UClass* ClassToLookFor, TArray<UClass*>& Results, bool bRecursive)
-{
+void GetDerivedClasses(const UClass* ClassToLookFor, TArray<UClass*>& Results, bool bRecursive) {
     CollectClasses(ClassToLookFor, bRecursive, Results);
 }
 
-void GetObjectsOfClass(const UClass* ClassToLookFor, TArray<UObject*>& Results, bool bIncludeDerivedClasses, EObjectFlags ExcludeFlags,
-    EInternalObjectFlags ExclusionInternalFlags)
-{
+void GetObjectsOfClass(const UClass* ClassToLookFor, TArray<UObject*>& Results, bool bIncludeDerivedClasses,
+    EObjectFlags ExcludeFlags, EInternalObjectFlags ExclusionInternalFlags) {
     const int32 First = Results.Num();
     FObjectSystem::CollectOfClass(ClassToLookFor, Results);
     if (bIncludeDerivedClasses) {
@@ -199,9 +179,8 @@ void GetObjectsOfClass(const UClass* ClassToLookFor, TArray<UObject*>& Results, 
     KeepPassing(Results, First, ExcludeFlags, ExclusionInternalFlags);
 }
 
-void ForEachObjectOfClass(const UClass* ClassToLookFor, TFunctionRef<void(UObject*)> Operation, bool bIncludeDerivedClasses,
-    EObjectFlags ExcludeFlags, EInternalObjectFlags ExclusionInternalFlags)
-{
+void ForEachObjectOfClass(const UClass* ClassToLookFor, TFunctionRef<void(UObject*)> Operation,
+    bool bIncludeDerivedClasses, EObjectFlags ExcludeFlags, EInternalObjectFlags ExclusionInternalFlags) {
     TArray<UObject*> Objects;
     GetObjectsOfClass(ClassToLookFor, Objects, bIncludeDerivedClasses, ExcludeFlags, ExclusionInternalFlags);
     for (UObject* Object : Objects) {
@@ -209,9 +188,8 @@ void ForEachObjectOfClass(const UClass* ClassToLookFor, TFunctionRef<void(UObjec
     }
 }
 
-void GetObjectsWithOuter(const UObject* Outer, TArray<UObject*>& Results, bool bIncludeNestedObjects, EObjectFlags ExclusionFlags,
-    EInternalObjectFlags ExclusionInternalFlags)
-{
+void GetObjectsWithOuter(const UObject* Outer, TArray<UObject*>& Results, bool bIncludeNestedObjects,
+    EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags) {
     checkf(Outer, TEXT("GetObjectsWithOuter needs an outer"));
     const int32 First = Results.Num();
     FObjectSystem::CollectInners(Outer, Results);
@@ -224,8 +202,7 @@ void GetObjectsWithOuter(const UObject* Outer, TArray<UObject*>& Results, bool b
 }
 
 void ForEachObjectWithOuter(const UObject* Outer, TFunctionRef<void(UObject*)> Operation, bool bIncludeNestedObjects,
-    EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags)
-{
+    EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags) {
     TArray<UObject*> Objects;
     GetObjectsWithOuter(Outer, Objects, bIncludeNestedObjects, ExclusionFlags, ExclusionInternalFlags);
     for (UObject* Object : Objects) {
@@ -233,14 +210,12 @@ void ForEachObjectWithOuter(const UObject* Outer, TFunctionRef<void(UObject*)> O
     }
 }
 
-void GetObjectsWithPackage(const UPackage* Package, TArray<UObject*>& Results, bool bIncludeNestedObjects, EObjectFlags ExclusionFlags,
-    EInternalObjectFlags ExclusionInternalFlags)
-{
+void GetObjectsWithPackage(const UPackage* Package, TArray<UObject*>& Results, bool bIncludeNestedObjects,
+    EObjectFlags ExclusionFlags, EInternalObjectFlags ExclusionInternalFlags) {
     GetObjectsWithOuter(Package, Results, bIncludeNestedObjects, ExclusionFlags, ExclusionInternalFlags);
 }
 
-UObject* FindObjectWithOuter(const UObject* Outer, const UClass* ClassToLookFor, FName NameToLookFor)
-{
+UObject* FindObjectWithOuter(const UObject* Outer, const UClass* ClassToLookFor, FName NameToLookFor) {
     if (!NameToLookFor.IsNone()) {
         return FObjectSystem::Find(ClassToLookFor, Outer, NameToLookFor, false, RF_NoFlags, EInternalObjectFlags::None);
     }

@@ -8,19 +8,18 @@
 class UClass;
 class UObject;
 
-namespace UE::CoreUObject::Private
-{
+namespace UE::CoreUObject::Private {
 /** Class->IsChildOf(Base), null-safe, for headers that do not know UClass. */
 COREUOBJECT_API bool ClassIsChildOf(const UClass* Class, const UClass* Base);
 COREUOBJECT_API UObject* ClassDefaultObject(const UClass* Class);
 /** Object as a class that is Base or a child of it, else null. */
 COREUOBJECT_API UClass* AsChildClass(UObject* Object, const UClass* Base);
-}
+} // namespace UE::CoreUObject::Private
 
-/** A class pointer that yields null unless the class is T or a child of it. T may be incomplete until the class is read. */
+/** A class pointer that yields null unless the class is T or a child of it. T may be incomplete until the class is
+ * read. */
 template <typename T>
-class TSubclassOf
-{
+class TSubclassOf {
 public:
     using ElementType = T;
 
@@ -31,23 +30,20 @@ public:
     TSubclassOf(TObjectPtr<UClass> From) : Class(From) {}
     template <typename U>
         requires(!std::is_same_v<U, T> && std::is_convertible_v<U*, T*>)
-    TSubclassOf(const TSubclassOf<U>& Other) : Class(Other.GetUnchecked())
-    {
-    }
-    TSubclassOf& operator=(UClass* From)
-    {
+    TSubclassOf(const TSubclassOf<U>& Other) : Class(Other.GetUnchecked()) {}
+    TSubclassOf& operator=(UClass* From) {
         Class = From;
         return *this;
     }
-    TSubclassOf& operator=(TYPE_OF_NULLPTR)
-    {
+    TSubclassOf& operator=(TYPE_OF_NULLPTR) {
         Class = nullptr;
         return *this;
     }
 
-    UClass* Get() const
-    {
-        return Class && UE::CoreUObject::Private::ClassIsChildOf(Class, std::remove_const_t<T>::StaticClass()) ? Class.Get() : nullptr;
+    UClass* Get() const {
+        return Class && UE::CoreUObject::Private::ClassIsChildOf(Class, std::remove_const_t<T>::StaticClass())
+                   ? Class.Get()
+                   : nullptr;
     }
     UClass* operator*() const { return Get(); }
     UClass* operator->() const { return Get(); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TBaseStructure of the core types that "UObject/NoExportTypes.h" reflects. In UE part of "UObject/Class.h", which includes this file.
+// TBaseStructure of the core types that "UObject/NoExportTypes.h" reflects. In UE part of "UObject/Class.h", which
+// includes this file.
 #pragma once
 
 #include "Math/MathFwd.h"

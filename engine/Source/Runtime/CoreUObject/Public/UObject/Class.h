@@ -20,21 +20,18 @@ class UPackage;
 class UStruct;
 struct FObjectInstancingGraph;
 
-// These classes describe the system that the schema describes everything else with, so no schema describes them: they are
-// UE's "intrinsic" classes, set up by hand in Private/UObject/Intrinsic.cpp.
-#define UE_DECLARE_INTRINSIC(TClass, TSuperClass, TStaticFlags, TStaticCastFlags)                                             \
-    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic | CLASS_MatchedSerializers, TStaticCastFlags,         \
-        TEXT("/Script/CoreUObject"), NO_API)                                                                                  \
-    DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)                                                                \
-    typedef UObject WithinClass;                                                                                              \
-    TClass() = default;                                                                                                       \
-    explicit TClass(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer)                                   \
-    {                                                                                                                         \
-    }
+// These classes describe the system that the schema describes everything else with, so no schema describes them: they
+// are UE's "intrinsic" classes, set up by hand in Private/UObject/Intrinsic.cpp.
+#define UE_DECLARE_INTRINSIC(TClass, TSuperClass, TStaticFlags, TStaticCastFlags)                                      \
+    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic | CLASS_MatchedSerializers, TStaticCastFlags,  \
+        TEXT("/Script/CoreUObject"), NO_API)                                                                           \
+    DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)                                                         \
+    typedef UObject WithinClass;                                                                                       \
+    TClass() = default;                                                                                                \
+    explicit TClass(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer) {}
 
 /** Base class of reflected objects that are part of a struct or package: types and functions. */
-class COREUOBJECT_API UField : public UObject
-{
+class COREUOBJECT_API UField : public UObject {
     UE_DECLARE_INTRINSIC(UField, UObject, CLASS_Abstract, CASTCLASS_UField)
 
     /** Next field of the same owner. */
@@ -72,8 +69,7 @@ private:
 };
 
 /** A type with properties: base of classes, structs and functions. */
-class COREUOBJECT_API UStruct : public UField
-{
+class COREUOBJECT_API UStruct : public UField {
     UE_DECLARE_INTRINSIC(UStruct, UField, CLASS_None, CASTCLASS_UStruct)
 
 private:
@@ -85,7 +81,8 @@ public:
     TObjectPtr<UField> Children;
     /** Properties, first of a list. */
     FField* ChildProperties = nullptr;
-    /** Script bytecode: always empty here, functions are native. An event with neither body nor bytecode does nothing. */
+    /** Script bytecode: always empty here, functions are native. An event with neither body nor bytecode does nothing.
+     */
     TArray<uint8> Script;
     /** Size of a value, including base types. */
     int32 PropertiesSize = 0;
@@ -104,8 +101,7 @@ public:
     UStruct* GetSuperStruct() const { return SuperStruct; }
     virtual void SetSuperStruct(UStruct* NewSuperStruct) { SuperStruct = NewSuperStruct; }
     virtual UStruct* GetInheritanceSuper() const { return GetSuperStruct(); }
-    bool IsChildOf(const UStruct* SomeBase) const
-    {
+    bool IsChildOf(const UStruct* SomeBase) const {
         for (const UStruct* Struct = this; Struct; Struct = Struct->SuperStruct) {
             if (Struct == SomeBase) {
                 return true;
@@ -114,8 +110,7 @@ public:
         return false;
     }
     template <class T>
-    bool IsChildOf() const
-    {
+    bool IsChildOf() const {
         return IsChildOf(T::StaticClass());
     }
     /** Letter of the C++ name: "F", "U", "A". */
@@ -139,8 +134,8 @@ public:
     void StaticLink(bool bRelinkExistingProperties = false) { Link(bRelinkExistingProperties); }
     /** Appends a property at the end of ChildProperties. */
     virtual void AddCppProperty(FProperty* Property);
-    void InstanceSubobjectTemplates(
-        void* Data, void const* DefaultData, UStruct* DefaultStruct, UObject* Owner, FObjectInstancingGraph* InstanceGraph);
+    void InstanceSubobjectTemplates(void* Data, void const* DefaultData, UStruct* DefaultStruct, UObject* Owner,
+        FObjectInstancingGraph* InstanceGraph);
     FTopLevelAssetPath GetStructPathName() const { return FTopLevelAssetPath(static_cast<const UObject*>(this)); }
     FName GetStructPropertyRedirects() const { return NAME_None; }
 
@@ -155,8 +150,7 @@ public:
 };
 
 /** A USTRUCT. */
-class COREUOBJECT_API UScriptStruct : public UStruct
-{
+class COREUOBJECT_API UScriptStruct : public UStruct {
     UE_DECLARE_INTRINSIC(UScriptStruct, UStruct, CLASS_None, CASTCLASS_UScriptStruct)
 
     typedef ::ICppStructOps ICppStructOps;
@@ -186,22 +180,21 @@ class COREUOBJECT_API UScriptStruct : public UStruct
     bool IsNative() const { return (StructFlags & STRUCT_Native) != 0; }
 
     /**
-     * Appends "(A=1,B=2)", or the text the C++ type's ExportTextItem writes. Members equal to Defaults' are left out (Defaults null:
-     * none are).
+     * Appends "(A=1,B=2)", or the text the C++ type's ExportTextItem writes. Members equal to Defaults' are left out
+     * (Defaults null: none are).
      */
     void ExportText(FString& ValueStr, const void* Value, const void* Defaults, UObject* OwnerObject, int32 PortFlags,
         UObject* ExportRootScope, bool bAllowNativeOverride = true) const;
     /** Reads what ExportText writes; members not named keep their values. Null on error. */
-    const TCHAR* ImportText(const TCHAR* Buffer, void* Value, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText,
-        const FString& StructName, bool bAllowNativeOverride = true) const;
+    const TCHAR* ImportText(const TCHAR* Buffer, void* Value, UObject* OwnerObject, int32 PortFlags,
+        FOutputDevice* ErrorText, const FString& StructName, bool bAllowNativeOverride = true) const;
 
 private:
     ICppStructOps* CppStructOps = nullptr;
 };
 
 /** A UFUNCTION, or the signature of a delegate. */
-class COREUOBJECT_API UFunction : public UStruct
-{
+class COREUOBJECT_API UFunction : public UStruct {
     UE_DECLARE_INTRINSIC(UFunction, UStruct, CLASS_None, CASTCLASS_UFunction)
 
     EFunctionFlags FunctionFlags = FUNC_None;
@@ -227,7 +220,9 @@ class COREUOBJECT_API UFunction : public UStruct
     /** The return value's property, or null. */
     FProperty* GetReturnProperty() const;
     bool HasAnyFunctionFlags(EFunctionFlags FlagsToCheck) const { return (FunctionFlags & FlagsToCheck) != 0; }
-    bool HasAllFunctionFlags(EFunctionFlags FlagsToCheck) const { return (FunctionFlags & FlagsToCheck) == FlagsToCheck; }
+    bool HasAllFunctionFlags(EFunctionFlags FlagsToCheck) const {
+        return (FunctionFlags & FlagsToCheck) == FlagsToCheck;
+    }
     bool IsSignatureCompatibleWith(const UFunction* OtherFunction) const;
     virtual const TCHAR* GetPrefixCPP() const override { return TEXT("F"); }
     virtual void Link(bool bComputeLayout) override;
@@ -240,14 +235,12 @@ private:
 };
 
 /** Signature of a dynamic delegate ("Name__DelegateSignature"). */
-class COREUOBJECT_API UDelegateFunction : public UFunction
-{
+class COREUOBJECT_API UDelegateFunction : public UFunction {
     UE_DECLARE_INTRINSIC(UDelegateFunction, UFunction, CLASS_None, CASTCLASS_UDelegateFunction)
 };
 
 /** Signature of a sparse delegate. */
-class COREUOBJECT_API USparseDelegateFunction : public UDelegateFunction
-{
+class COREUOBJECT_API USparseDelegateFunction : public UDelegateFunction {
     UE_DECLARE_INTRINSIC(USparseDelegateFunction, UDelegateFunction, CLASS_None, CASTCLASS_USparseDelegateFunction)
 
     FName OwningClassName;
@@ -258,8 +251,7 @@ class COREUOBJECT_API USparseDelegateFunction : public UDelegateFunction
 #define HEADER_GENERATED_DELEGATE_SIGNATURE_SUFFIX TEXT("__DelegateSignature")
 
 /** Flags of an enum. */
-enum class EEnumFlags
-{
+enum class EEnumFlags {
     None = 0,
     Flags = 1 << 0,
     NewerVersionExists = 1 << 1,
@@ -267,8 +259,7 @@ enum class EEnumFlags
 ENUM_CLASS_FLAGS(EEnumFlags)
 
 /** How names given to UEnum are taken. */
-enum class EGetByNameFlags
-{
+enum class EGetByNameFlags {
     None = 0,
     ErrorIfNotFound = 1 << 0,
     CaseSensitive = 1 << 1,
@@ -277,12 +268,10 @@ enum class EGetByNameFlags
 ENUM_CLASS_FLAGS(EGetByNameFlags)
 
 /** A UENUM. Entry names are full ("EFoo::Bar" for enum classes and namespaced enums) and compare without case. */
-class COREUOBJECT_API UEnum : public UField
-{
+class COREUOBJECT_API UEnum : public UField {
     UE_DECLARE_INTRINSIC(UEnum, UField, CLASS_None, CASTCLASS_UEnum)
 
-    enum class ECppForm
-    {
+    enum class ECppForm {
         /** `enum EFoo { A }` */
         Regular,
         /** `namespace EFoo { enum Type { A }; }` */
@@ -296,9 +285,10 @@ class COREUOBJECT_API UEnum : public UField
     FString CppType;
 
     virtual ~UEnum() override;
-    /** Sets the entries; adds the hidden "<prefix>_MAX" unless one is there. False if an entry name is used elsewhere. */
-    virtual bool SetEnums(TArray<TPair<FName, int64>>& InNames, ECppForm InCppForm, EEnumFlags InFlags = EEnumFlags::None,
-        bool bAddMaxKeyIfMissing = true);
+    /** Sets the entries; adds the hidden "<prefix>_MAX" unless one is there. False if an entry name is used elsewhere.
+     */
+    virtual bool SetEnums(TArray<TPair<FName, int64>>& InNames, ECppForm InCppForm,
+        EEnumFlags InFlags = EEnumFlags::None, bool bAddMaxKeyIfMissing = true);
     /** Number of entries, _MAX included. */
     int32 NumEnums() const { return Names.Num(); }
     ECppForm GetCppForm() const { return CppForm; }
@@ -335,8 +325,7 @@ class COREUOBJECT_API UEnum : public UField
     FString GenerateEnumPrefix() const;
     /** "EFoo::Bar" from "Bar" where the form asks for it. */
     virtual FString GenerateFullEnumName(const TCHAR* InEnumName) const;
-    static FString GenerateFullEnumName(const UEnum* InEnum, const TCHAR* InEnumName)
-    {
+    static FString GenerateFullEnumName(const UEnum* InEnum, const TCHAR* InEnumName) {
         return InEnum->GenerateFullEnumName(InEnumName);
     }
     static bool IsFullEnumName(const TCHAR* InEnumName) { return FString(InEnumName).Contains(TEXT("::")); }
@@ -350,19 +339,16 @@ class COREUOBJECT_API UEnum : public UField
     static int64 ParseEnum(const TCHAR*& Str);
 
     template <typename EnumType>
-    static FString GetValueAsString(const EnumType EnumeratorValue)
-    {
+    static FString GetValueAsString(const EnumType EnumeratorValue) {
         const UEnum* Enum = StaticEnumOf<EnumType>();
         return Enum->GetNameByValue(static_cast<int64>(EnumeratorValue)).ToString();
     }
     template <typename EnumType>
-    static FName GetValueAsName(const EnumType EnumeratorValue)
-    {
+    static FName GetValueAsName(const EnumType EnumeratorValue) {
         return StaticEnumOf<EnumType>()->GetNameByValue(static_cast<int64>(EnumeratorValue));
     }
     template <typename EnumType>
-    static FText GetDisplayValueAsText(const EnumType EnumeratorValue)
-    {
+    static FText GetDisplayValueAsText(const EnumType EnumeratorValue) {
         return StaticEnumOf<EnumType>()->GetDisplayNameTextByValue(static_cast<int64>(EnumeratorValue));
     }
 
@@ -390,8 +376,7 @@ private:
 };
 
 /** An interface that a class implements. */
-struct FImplementedInterface
-{
+struct FImplementedInterface {
     TObjectPtr<UClass> Class;
     /** Offset of the I-class inside the object; 0 if implemented by script. */
     int32 PointerOffset = 0;
@@ -399,32 +384,25 @@ struct FImplementedInterface
 
     FImplementedInterface() = default;
     FImplementedInterface(UClass* InClass, int32 InOffset, bool InImplementedByK2)
-        : Class(InClass), PointerOffset(InOffset), bImplementedByK2(InImplementedByK2)
-    {
+        : Class(InClass), PointerOffset(InOffset), bImplementedByK2(InImplementedByK2) {}
+    bool operator==(const FImplementedInterface& Other) const {
+        return Class == Other.Class && PointerOffset == Other.PointerOffset;
     }
-    bool operator==(const FImplementedInterface& Other) const { return Class == Other.Class && PointerOffset == Other.PointerOffset; }
 };
 
 /** A native function by name; see UClass::NativeFunctionLookupTable. */
-struct FNativeFunctionLookup
-{
+struct FNativeFunctionLookup {
     FName Name;
     FNativeFuncPtr Pointer = nullptr;
 };
 
 /** Whether a search also looks at super classes. */
-namespace EIncludeSuperFlag
-{
-enum Type
-{
-    ExcludeSuper,
-    IncludeSuper
-};
+namespace EIncludeSuperFlag {
+enum Type { ExcludeSuper, IncludeSuper };
 }
 
 /** A class of objects. */
-class COREUOBJECT_API UClass : public UStruct
-{
+class COREUOBJECT_API UClass : public UStruct {
     UE_DECLARE_INTRINSIC(UClass, UStruct, CLASS_None, CASTCLASS_UClass)
 
     typedef void (*ClassConstructorType)(const FObjectInitializer&);
@@ -464,16 +442,14 @@ class COREUOBJECT_API UClass : public UStruct
     FString GetDescription() const { return GetName(); }
 
     /** The class default object, created if missing and asked for. */
-    UObject* GetDefaultObject(bool bCreateIfNeeded = true) const
-    {
+    UObject* GetDefaultObject(bool bCreateIfNeeded = true) const {
         if (ClassDefaultObject == nullptr && bCreateIfNeeded) {
             const_cast<UClass*>(this)->CreateDefaultObject();
         }
         return ClassDefaultObject;
     }
     template <class T>
-    T* GetDefaultObject() const
-    {
+    T* GetDefaultObject() const {
         UObject* Object = GetDefaultObject();
         check(Object->IsA<T>());
         return static_cast<T*>(Object);
@@ -485,8 +461,10 @@ class COREUOBJECT_API UClass : public UStruct
     void GetDefaultObjectSubobjects(TArray<UObject*>& OutDefaultSubobjects);
     virtual UObject* CreateDefaultObject();
 
-    /** The function of that name: own ones first, then interfaces', then (if asked) the super class's. Null if there is none. */
-    UFunction* FindFunctionByName(FName InName, EIncludeSuperFlag::Type IncludeSuper = EIncludeSuperFlag::IncludeSuper) const;
+    /** The function of that name: own ones first, then interfaces', then (if asked) the super class's. Null if there is
+     * none. */
+    UFunction* FindFunctionByName(
+        FName InName, EIncludeSuperFlag::Type IncludeSuper = EIncludeSuperFlag::IncludeSuper) const;
     /** Names of this class's own functions. */
     void GenerateFunctionList(TArray<FName>& OutArray) const;
     void AddFunctionToFunctionMap(UFunction* Function, FName FuncName) { FuncMap.Add(FuncName, Function); }
@@ -514,33 +492,29 @@ private:
 
 /** Any class, for generated tables that need "UDynamicClass"-like names. */
 template <class TClass>
-UClass* StaticClass()
-{
+UClass* StaticClass() {
     return TClass::StaticClass();
 }
 /** The UScriptStruct of a USTRUCT type. */
 template <class T>
-UScriptStruct* StaticStruct()
-{
+UScriptStruct* StaticStruct() {
     return T::StaticStruct();
 }
 
-/** The UScriptStruct of USTRUCTs and of the core types that are reflected without being USTRUCTs (FVector, FColor, ...). */
+/** The UScriptStruct of USTRUCTs and of the core types that are reflected without being USTRUCTs (FVector, FColor,
+ * ...). */
 template <class T>
-struct TBaseStructure
-{
+struct TBaseStructure {
     static UScriptStruct* Get() { return T::StaticStruct(); }
 };
 
-namespace UE::CoreUObject::Private
-{
+namespace UE::CoreUObject::Private {
 /** The UEnum whose CppType is the given type name; fatal if it does not exist. */
 COREUOBJECT_API UEnum* FindEnumOfCppType(const char* TypeName);
 
 /** Name of a type as the compiler spells it, without the words around it. */
 template <typename T>
-constexpr auto TypeNameOf()
-{
+constexpr auto TypeNameOf() {
 #if defined(__clang__)
     constexpr std::string_view Function = __PRETTY_FUNCTION__;
     constexpr std::string_view Start = "[T = ";
@@ -550,8 +524,7 @@ constexpr auto TypeNameOf()
 #endif
     constexpr SIZE_T Begin = Function.find(Start) + Start.size();
     constexpr SIZE_T Length = Function.size() - 1 - Begin;
-    struct FName
-    {
+    struct FName {
         char Text[Length + 1] = {};
     } Result;
     for (SIZE_T Index = 0; Index < Length; ++Index) {
@@ -559,12 +532,11 @@ constexpr auto TypeNameOf()
     }
     return Result;
 }
-}  // namespace UE::CoreUObject::Private
+} // namespace UE::CoreUObject::Private
 
 /** The UEnum of a UENUM type. */
 template <typename EnumType>
-UEnum* StaticEnum()
-{
+UEnum* StaticEnum() {
     static_assert(std::is_enum_v<EnumType>, "StaticEnum needs an enum type.");
     static UEnum* const Enum = [] {
         static constexpr auto Name = UE::CoreUObject::Private::TypeNameOf<EnumType>();
@@ -573,8 +545,7 @@ UEnum* StaticEnum()
     return Enum;
 }
 template <typename EnumType>
-UEnum* UEnum::StaticEnumOf()
-{
+UEnum* UEnum::StaticEnumOf() {
     return StaticEnum<EnumType>();
 }
 

@@ -9,12 +9,11 @@ class UClass;
 class UObject;
 
 /**
- * Content loaders supply objects for paths that are not in memory ("/Engine/BasicShapes/Cube.Cube"). StaticLoadObject asks them in
- * the order of registration; the first non-null answer counts. A loader creates the object below a package of the path's name
- * (CreatePackage), so that it is found in memory next time.
+ * Content loaders supply objects for paths that are not in memory ("/Engine/BasicShapes/Cube.Cube"). StaticLoadObject
+ * asks them in the order of registration; the first non-null answer counts. A loader creates the object below a package
+ * of the path's name (CreatePackage), so that it is found in memory next time.
  */
-class FContentLoaderRegistry
-{
+class FContentLoaderRegistry {
 public:
     /** Class may be null for "any". PackageName "/Engine/BasicShapes/Cube", AssetName "Cube". */
     using FLoader = TFunction<UObject*(UClass* Class, const FString& PackageName, const FString& AssetName)>;

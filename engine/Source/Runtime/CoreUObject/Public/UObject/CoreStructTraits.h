@@ -1,44 +1,36 @@
 // SPDX-License-Identifier: MIT
-// What reflection may assume about the core types (see TStructOpsTypeTraits). In UE these stand beside each type's property source.
+// What reflection may assume about the core types (see TStructOpsTypeTraits). In UE these stand beside each type's
+// property source.
 #pragma once
 
 #include "CoreMinimal.h"
 #include "UObject/SoftObjectPath.h"
 #include "UObject/StructOps.h"
 
-namespace UE::CoreUObject::Private
-{
+namespace UE::CoreUObject::Private {
 /** Values that are all zero when fresh. */
 template <typename T>
-struct TZeroStructTraits : public TStructOpsTypeTraitsBase2<T>
-{
-    enum
-    {
+struct TZeroStructTraits : public TStructOpsTypeTraitsBase2<T> {
+    enum {
         WithZeroConstructor = true,
         WithIdenticalViaEquality = true,
     };
 };
 /** Values whose fresh state is their default constructor's. */
 template <typename T>
-struct TDefaultedStructTraits : public TStructOpsTypeTraitsBase2<T>
-{
-    enum
-    {
+struct TDefaultedStructTraits : public TStructOpsTypeTraitsBase2<T> {
+    enum {
         WithIdenticalViaEquality = true,
     };
 };
-}  // namespace UE::CoreUObject::Private
+} // namespace UE::CoreUObject::Private
 
-#define UE_ZERO_STRUCT(Type)                                                                                                  \
-    template <>                                                                                                               \
-    struct TStructOpsTypeTraits<Type> : public UE::CoreUObject::Private::TZeroStructTraits<Type>                              \
-    {                                                                                                                         \
-    };
-#define UE_DEFAULTED_STRUCT(Type)                                                                                             \
-    template <>                                                                                                               \
-    struct TStructOpsTypeTraits<Type> : public UE::CoreUObject::Private::TDefaultedStructTraits<Type>                         \
-    {                                                                                                                         \
-    };
+#define UE_ZERO_STRUCT(Type)                                                                                           \
+    template <>                                                                                                        \
+    struct TStructOpsTypeTraits<Type> : public UE::CoreUObject::Private::TZeroStructTraits<Type> {};
+#define UE_DEFAULTED_STRUCT(Type)                                                                                      \
+    template <>                                                                                                        \
+    struct TStructOpsTypeTraits<Type> : public UE::CoreUObject::Private::TDefaultedStructTraits<Type> {};
 
 UE_ZERO_STRUCT(FVector)
 UE_ZERO_STRUCT(FVector3f)
@@ -66,10 +58,8 @@ UE_DEFAULTED_STRUCT(FQuat4f)
 
 /** "0123456789ABCDEF0123456789ABCDEF" instead of four members. */
 template <>
-struct TStructOpsTypeTraits<FGuid> : public TStructOpsTypeTraitsBase2<FGuid>
-{
-    enum
-    {
+struct TStructOpsTypeTraits<FGuid> : public TStructOpsTypeTraitsBase2<FGuid> {
+    enum {
         WithZeroConstructor = true,
         WithIdenticalViaEquality = true,
         WithExportTextItem = true,
@@ -78,10 +68,8 @@ struct TStructOpsTypeTraits<FGuid> : public TStructOpsTypeTraitsBase2<FGuid>
 };
 /** "/Package.Asset:Sub" instead of members. */
 template <>
-struct TStructOpsTypeTraits<FSoftObjectPath> : public TStructOpsTypeTraitsBase2<FSoftObjectPath>
-{
-    enum
-    {
+struct TStructOpsTypeTraits<FSoftObjectPath> : public TStructOpsTypeTraitsBase2<FSoftObjectPath> {
+    enum {
         WithZeroConstructor = true,
         WithIdenticalViaEquality = true,
         WithExportTextItem = true,
@@ -89,10 +77,8 @@ struct TStructOpsTypeTraits<FSoftObjectPath> : public TStructOpsTypeTraitsBase2<
     };
 };
 template <>
-struct TStructOpsTypeTraits<FSoftClassPath> : public TStructOpsTypeTraitsBase2<FSoftClassPath>
-{
-    enum
-    {
+struct TStructOpsTypeTraits<FSoftClassPath> : public TStructOpsTypeTraitsBase2<FSoftClassPath> {
+    enum {
         WithZeroConstructor = true,
         WithExportTextItem = true,
         WithImportTextItem = true,

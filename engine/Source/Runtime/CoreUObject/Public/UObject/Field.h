@@ -15,13 +15,12 @@ class UField;
 class UStruct;
 
 /** The class of a field: name, super class, cast bits. */
-class FFieldClass
-{
+class FFieldClass {
 public:
     typedef FField* (*ConstructFn)(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InObjectFlags);
 
-    COREUOBJECT_API FFieldClass(const TCHAR* InCPPName, uint64 InId, uint64 InCastFlags, FFieldClass* InSuperClass,
-        ConstructFn InConstruct);
+    COREUOBJECT_API FFieldClass(
+        const TCHAR* InCPPName, uint64 InId, uint64 InCastFlags, FFieldClass* InSuperClass, ConstructFn InConstruct);
 
     /** Name without the prefix F ("IntProperty"). */
     FString GetName() const { return Name.ToString(); }
@@ -30,8 +29,7 @@ public:
     uint64 GetCastFlags() const { return CastFlags; }
     bool HasAnyCastFlags(const uint64 InCastFlags) const { return (CastFlags & InCastFlags) != 0; }
     bool HasAllCastFlags(const uint64 InCastFlags) const { return (CastFlags & InCastFlags) == InCastFlags; }
-    bool IsChildOf(const FFieldClass* InClass) const
-    {
+    bool IsChildOf(const FFieldClass* InClass) const {
         for (const FFieldClass* Class = this; Class; Class = Class->SuperClass) {
             if (Class == InClass) {
                 return true;
@@ -40,8 +38,7 @@ public:
         return false;
     }
     FFieldClass* GetSuperClass() const { return SuperClass; }
-    FField* Construct(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InFlags = RF_NoFlags) const
-    {
+    FField* Construct(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InFlags = RF_NoFlags) const {
         return ConstructFunction ? ConstructFunction(InOwner, InName, InFlags) : nullptr;
     }
     FText GetDisplayNameText() const { return FText::FromString(GetName()); }
@@ -59,8 +56,7 @@ private:
 };
 
 /** A pointer to either a field or an object. */
-class FFieldVariant
-{
+class FFieldVariant {
 public:
     FFieldVariant() = default;
     FFieldVariant(TYPE_OF_NULLPTR) {}
@@ -68,9 +64,7 @@ public:
     template <typename T>
         requires std::is_convertible_v<T*, const UObject*>
     FFieldVariant(T* InObject)
-        : Pointer(const_cast<UObject*>(static_cast<const UObject*>(InObject))), bIsUObject(InObject != nullptr)
-    {
-    }
+        : Pointer(const_cast<UObject*>(static_cast<const UObject*>(InObject))), bIsUObject(InObject != nullptr) {}
     bool IsUObject() const { return bIsUObject; }
     bool IsValid() const { return Pointer != nullptr; }
     explicit operator bool() const { return IsValid(); }
@@ -95,56 +89,47 @@ private:
     bool bIsUObject = false;
 };
 
-#define DECLARE_FIELD_API(TClass, TSuperClass, TStaticFlags, TRequiredAPI)                                                    \
-private:                                                                                                                      \
-    TClass& operator=(TClass&&) = delete;                                                                                     \
-    TClass& operator=(const TClass&) = delete;                                                                                \
-                                                                                                                              \
-public:                                                                                                                       \
-    typedef TSuperClass Super;                                                                                                \
-    typedef TClass ThisClass;                                                                                                 \
-    TClass(FFieldVariant InOwner, const FName& InName, EObjectFlags InObjectFlags) : Super(InOwner, InName, InObjectFlags)    \
-    {                                                                                                                         \
-        SetFieldClass(StaticClass());                                                                                         \
-    }                                                                                                                         \
-    TRequiredAPI static FFieldClass* StaticClass();                                                                           \
-    TRequiredAPI static FField* Construct(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InObjectFlags);     \
-    inline static constexpr uint64 StaticClassCastFlagsPrivate()                                                              \
-    {                                                                                                                         \
-        return uint64(TStaticFlags);                                                                                          \
-    }                                                                                                                         \
-    inline static constexpr uint64 StaticClassCastFlags()                                                                     \
-    {                                                                                                                         \
-        return uint64(TStaticFlags) | uint64(Super::StaticClassCastFlags());                                                  \
+#define DECLARE_FIELD_API(TClass, TSuperClass, TStaticFlags, TRequiredAPI)                                             \
+private:                                                                                                               \
+    TClass& operator=(TClass&&) = delete;                                                                              \
+    TClass& operator=(const TClass&) = delete;                                                                         \
+                                                                                                                       \
+public:                                                                                                                \
+    typedef TSuperClass Super;                                                                                         \
+    typedef TClass ThisClass;                                                                                          \
+    TClass(FFieldVariant InOwner, const FName& InName, EObjectFlags InObjectFlags)                                     \
+        : Super(InOwner, InName, InObjectFlags) {                                                                      \
+        SetFieldClass(StaticClass());                                                                                  \
+    }                                                                                                                  \
+    TRequiredAPI static FFieldClass* StaticClass();                                                                    \
+    TRequiredAPI static FField* Construct(                                                                             \
+        const FFieldVariant& InOwner, const FName& InName, EObjectFlags InObjectFlags);                                \
+    inline static constexpr uint64 StaticClassCastFlagsPrivate() { return uint64(TStaticFlags); }                      \
+    inline static constexpr uint64 StaticClassCastFlags() {                                                            \
+        return uint64(TStaticFlags) | uint64(Super::StaticClassCastFlags());                                           \
     }
-#define DECLARE_FIELD(TClass, TSuperClass, TStaticFlags) DECLARE_FIELD_API(TClass, TSuperClass, TStaticFlags, COREUOBJECT_API)
+#define DECLARE_FIELD(TClass, TSuperClass, TStaticFlags)                                                               \
+    DECLARE_FIELD_API(TClass, TSuperClass, TStaticFlags, COREUOBJECT_API)
 
-#define IMPLEMENT_FIELD(TClass)                                                                                               \
-    FField* TClass::Construct(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InFlags)                        \
-    {                                                                                                                         \
-        return new TClass(InOwner, InName, InFlags);                                                                          \
-    }                                                                                                                         \
-    FFieldClass* TClass::StaticClass()                                                                                        \
-    {                                                                                                                         \
-        static FFieldClass StaticFieldClass(&TEXT(#TClass)[1], TClass::StaticClassCastFlagsPrivate(),                         \
-            TClass::StaticClassCastFlags(), TClass::Super::StaticClass(), &TClass::Construct);                                \
-        return &StaticFieldClass;                                                                                             \
+#define IMPLEMENT_FIELD(TClass)                                                                                        \
+    FField* TClass::Construct(const FFieldVariant& InOwner, const FName& InName, EObjectFlags InFlags) {               \
+        return new TClass(InOwner, InName, InFlags);                                                                   \
+    }                                                                                                                  \
+    FFieldClass* TClass::StaticClass() {                                                                               \
+        static FFieldClass StaticFieldClass(&TEXT(#TClass)[1], TClass::StaticClassCastFlagsPrivate(),                  \
+            TClass::StaticClassCastFlags(), TClass::Super::StaticClass(), &TClass::Construct);                         \
+        return &StaticFieldClass;                                                                                      \
     }
-#define IMPLEMENT_ABSTRACT_FIELD(TClass)                                                                                      \
-    FField* TClass::Construct(const FFieldVariant&, const FName&, EObjectFlags)                                               \
-    {                                                                                                                         \
-        return nullptr;                                                                                                       \
-    }                                                                                                                         \
-    FFieldClass* TClass::StaticClass()                                                                                        \
-    {                                                                                                                         \
-        static FFieldClass StaticFieldClass(&TEXT(#TClass)[1], TClass::StaticClassCastFlagsPrivate(),                         \
-            TClass::StaticClassCastFlags(), TClass::Super::StaticClass(), nullptr);                                           \
-        return &StaticFieldClass;                                                                                             \
+#define IMPLEMENT_ABSTRACT_FIELD(TClass)                                                                               \
+    FField* TClass::Construct(const FFieldVariant&, const FName&, EObjectFlags) { return nullptr; }                    \
+    FFieldClass* TClass::StaticClass() {                                                                               \
+        static FFieldClass StaticFieldClass(&TEXT(#TClass)[1], TClass::StaticClassCastFlagsPrivate(),                  \
+            TClass::StaticClassCastFlags(), TClass::Super::StaticClass(), nullptr);                                    \
+        return &StaticFieldClass;                                                                                      \
     }
 
 /** Base class of properties. Owned by a UStruct or by another field. */
-class FField
-{
+class FField {
 public:
     typedef FField Super;
     typedef FField ThisClass;
@@ -168,8 +153,7 @@ public:
     uint64 GetCastFlags() const { return ClassPrivate->GetCastFlags(); }
     bool IsA(const FFieldClass* FieldType) const { return ClassPrivate->IsChildOf(FieldType); }
     template <typename T>
-    bool IsA() const
-    {
+    bool IsA() const {
         if constexpr (T::StaticClassCastFlagsPrivate() != uint64(CASTCLASS_None)) {
             return ClassPrivate->HasAnyCastFlags(T::StaticClassCastFlagsPrivate());
         } else {
@@ -186,17 +170,17 @@ public:
     COREUOBJECT_API UField* GetOwnerUField() const;
     COREUOBJECT_API UPackage* GetOutermost() const;
     template <typename T>
-    T* GetOwner() const
-    {
+    T* GetOwner() const {
         if constexpr (std::is_base_of_v<UObject, T>) {
             return Cast<T>(Owner.ToUObject());
         } else {
-            return Owner.IsUObject() || !Owner.IsValid() || !Owner.ToField()->IsA<T>() ? nullptr : static_cast<T*>(Owner.ToField());
+            return Owner.IsUObject() || !Owner.IsValid() || !Owner.ToField()->IsA<T>()
+                       ? nullptr
+                       : static_cast<T*>(Owner.ToField());
         }
     }
     template <typename T>
-    T* GetOwnerChecked() const
-    {
+    T* GetOwnerChecked() const {
         T* Result = GetOwner<T>();
         check(Result);
         return Result;
@@ -257,42 +241,35 @@ protected:
 
 /** Src as T, or null. */
 template <typename T>
-FORCEINLINE T* CastField(FField* Src)
-{
+FORCEINLINE T* CastField(FField* Src) {
     return Src && Src->IsA<T>() ? static_cast<T*>(Src) : nullptr;
 }
 template <typename T>
-FORCEINLINE const T* CastField(const FField* Src)
-{
+FORCEINLINE const T* CastField(const FField* Src) {
     return Src && Src->IsA<T>() ? static_cast<const T*>(Src) : nullptr;
 }
 template <typename T>
-FORCEINLINE T* CastFieldChecked(FField* Src)
-{
+FORCEINLINE T* CastFieldChecked(FField* Src) {
     T* Result = CastField<T>(Src);
     checkf(!Src || Result, TEXT("CastFieldChecked: field '%s' is a %s"), *Src->GetName(), *Src->GetClass()->GetName());
     return Result;
 }
 template <typename T>
-FORCEINLINE const T* CastFieldChecked(const FField* Src)
-{
+FORCEINLINE const T* CastFieldChecked(const FField* Src) {
     return CastFieldChecked<T>(const_cast<FField*>(Src));
 }
 /** Src as T if its class is exactly T. */
 template <typename T>
-FORCEINLINE T* ExactCastField(FField* Src)
-{
+FORCEINLINE T* ExactCastField(FField* Src) {
     return Src && Src->GetClass() == T::StaticClass() ? static_cast<T*>(Src) : nullptr;
 }
 template <typename T>
-FORCEINLINE const T* ExactCastField(const FField* Src)
-{
+FORCEINLINE const T* ExactCastField(const FField* Src) {
     return ExactCastField<T>(const_cast<FField*>(Src));
 }
 
 template <typename T>
-bool FFieldVariant::IsA() const
-{
+bool FFieldVariant::IsA() const {
     if (!Pointer) {
         return false;
     }
@@ -303,8 +280,7 @@ bool FFieldVariant::IsA() const
     }
 }
 template <typename T>
-T* FFieldVariant::Get() const
-{
+T* FFieldVariant::Get() const {
     return IsA<T>() ? static_cast<T*>(Pointer) : nullptr;
 }
 COREUOBJECT_API FString GetFullNameSafe(const FField* InField);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// TFieldIterator: walks properties or functions of a struct. In UE it lives in "UObject/UnrealType.h", which includes this file.
+// TFieldIterator: walks properties or functions of a struct. In UE it lives in "UObject/UnrealType.h", which includes
+// this file.
 #pragma once
 
 #include "UObject/Class.h"
 #include "UObject/Property.h"
 
 /** Which fields an iteration visits. */
-enum class EFieldIterationFlags : uint8
-{
+enum class EFieldIterationFlags : uint8 {
     None = 0,
     IncludeSuper = 1 << 0,
     IncludeDeprecated = 1 << 1,
@@ -17,55 +17,37 @@ enum class EFieldIterationFlags : uint8
 };
 ENUM_CLASS_FLAGS(EFieldIterationFlags)
 
-namespace EFieldIteratorFlags
-{
-enum SuperClassFlags
-{
-    ExcludeSuper = 0,
-    IncludeSuper
-};
-enum DeprecatedPropertyFlags
-{
-    ExcludeDeprecated = 0,
-    IncludeDeprecated = 1 << 0
-};
-enum InterfaceClassFlags
-{
-    ExcludeInterfaces = 0,
-    IncludeInterfaces = 1 << 1
-};
-}
+namespace EFieldIteratorFlags {
+enum SuperClassFlags { ExcludeSuper = 0, IncludeSuper };
+enum DeprecatedPropertyFlags { ExcludeDeprecated = 0, IncludeDeprecated = 1 << 0 };
+enum InterfaceClassFlags { ExcludeInterfaces = 0, IncludeInterfaces = 1 << 1 };
+} // namespace EFieldIteratorFlags
 
 /**
- * Walks the fields of type T (a property class, or UFunction) of a struct: own ones in order of declaration, then those of
- * interfaces (if asked), then of the super.
+ * Walks the fields of type T (a property class, or UFunction) of a struct: own ones in order of declaration, then those
+ * of interfaces (if asked), then of the super.
  */
 template <class T>
-class TFieldIterator
-{
+class TFieldIterator {
     static constexpr bool bIsObjectField = std::is_base_of_v<UField, T>;
     using FBaseField = std::conditional_t<bIsObjectField, UField, FField>;
 
 public:
     TFieldIterator(const UStruct* InStruct, EFieldIterationFlags InIterationFlags = EFieldIterationFlags::Default)
-        : Struct(InStruct), Field(First(InStruct)), Flags(InIterationFlags)
-    {
+        : Struct(InStruct), Field(First(InStruct)), Flags(InIterationFlags) {
         SkipToMatch();
     }
     TFieldIterator(const UStruct* InStruct, EFieldIteratorFlags::SuperClassFlags SuperClassFlags,
         EFieldIteratorFlags::DeprecatedPropertyFlags DeprecatedFlags = EFieldIteratorFlags::IncludeDeprecated,
         EFieldIteratorFlags::InterfaceClassFlags InterfaceFlags = EFieldIteratorFlags::ExcludeInterfaces)
-        : TFieldIterator(InStruct,
-              (SuperClassFlags ? EFieldIterationFlags::IncludeSuper : EFieldIterationFlags::None) |
-                  (DeprecatedFlags ? EFieldIterationFlags::IncludeDeprecated : EFieldIterationFlags::None) |
-                  (InterfaceFlags ? EFieldIterationFlags::IncludeInterfaces : EFieldIterationFlags::None))
-    {
-    }
+        : TFieldIterator(
+              InStruct, (SuperClassFlags ? EFieldIterationFlags::IncludeSuper : EFieldIterationFlags::None) |
+                            (DeprecatedFlags ? EFieldIterationFlags::IncludeDeprecated : EFieldIterationFlags::None) |
+                            (InterfaceFlags ? EFieldIterationFlags::IncludeInterfaces : EFieldIterationFlags::None)) {}
     explicit operator bool() const { return Field != nullptr; }
     bool operator!() const { return Field == nullptr; }
     bool operator==(const TFieldIterator& Other) const { return Field == Other.Field; }
-    void operator++()
-    {
+    void operator++() {
         Field = Field->Next;
         SkipToMatch();
     }
@@ -75,26 +57,24 @@ public:
     const UStruct* GetStruct() const { return Struct; }
 
 private:
-    static FBaseField* First(const UStruct* InStruct)
-    {
+    static FBaseField* First(const UStruct* InStruct) {
         if constexpr (bIsObjectField) {
             return InStruct ? InStruct->Children.Get() : nullptr;
         } else {
             return InStruct ? InStruct->ChildProperties : nullptr;
         }
     }
-    bool Matches() const
-    {
+    bool Matches() const {
         if constexpr (bIsObjectField) {
             return Field->IsA(T::StaticClass());
         } else {
             return Field->template IsA<T>() &&
-                   (EnumHasAnyFlags(Flags, EFieldIterationFlags::IncludeDeprecated) || !Field->template IsA<FProperty>() ||
+                   (EnumHasAnyFlags(Flags, EFieldIterationFlags::IncludeDeprecated) ||
+                       !Field->template IsA<FProperty>() ||
                        !static_cast<FProperty*>(static_cast<FField*>(Field))->HasAnyPropertyFlags(CPF_Deprecated));
         }
     }
-    void SkipToMatch()
-    {
+    void SkipToMatch() {
         for (;;) {
             while (Field && !Matches()) {
                 Field = Field->Next;
@@ -105,8 +85,7 @@ private:
             NextStruct();
         }
     }
-    void NextStruct()
-    {
+    void NextStruct() {
         // Interfaces of a class come after its own fields and before its super.
         if (!InterfaceOwner && EnumHasAnyFlags(Flags, EFieldIterationFlags::IncludeInterfaces)) {
             InterfaceOwner = Cast<UClass>(Struct);
@@ -134,13 +113,10 @@ private:
 
 /** Range-for over the fields of a struct. */
 template <class T>
-class TFieldRange
-{
+class TFieldRange {
 public:
     TFieldRange(const UStruct* InStruct, EFieldIterationFlags InIterationFlags = EFieldIterationFlags::Default)
-        : Begin(InStruct, InIterationFlags)
-    {
-    }
+        : Begin(InStruct, InIterationFlags) {}
     TFieldIterator<T> begin() const { return Begin; }
     TFieldIterator<T> end() const { return TFieldIterator<T>(nullptr); }
 

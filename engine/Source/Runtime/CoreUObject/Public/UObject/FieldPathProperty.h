@@ -5,8 +5,7 @@
 #include "UObject/PropertySimple.h"
 
 /** A property by path ("/Script/Module.Class:Property"), resolved on demand. */
-struct FFieldPath
-{
+struct FFieldPath {
     FFieldPath() = default;
     explicit FFieldPath(FField* InField) : Path(InField ? InField->GetPathName() : FString()) {}
     explicit FFieldPath(const TCHAR* InPath) : Path(InPath) {}
@@ -26,8 +25,7 @@ private:
 
 /** Typed field path. */
 template <class PropertyType>
-struct TFieldPath : public FFieldPath
-{
+struct TFieldPath : public FFieldPath {
     TFieldPath() = default;
     TFieldPath(PropertyType* InField) : FFieldPath(InField) {}
     explicit TFieldPath(const TCHAR* InPath) : FFieldPath(InPath) {}
@@ -36,22 +34,23 @@ struct TFieldPath : public FFieldPath
 };
 
 /** The value of a TFieldPath member. */
-class FFieldPathProperty : public TProperty_WithEquality<FFieldPath, FProperty>
-{
+class FFieldPathProperty : public TProperty_WithEquality<FFieldPath, FProperty> {
     typedef TProperty_WithEquality<FFieldPath, FProperty> FBase;
     DECLARE_FIELD(FFieldPathProperty, FBase, CASTCLASS_FFieldPathProperty)
 
     /** Class of the fields it may name. */
     FFieldClass* PropertyClass = nullptr;
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
 
 protected:
-    virtual void LinkInternal() override
-    {
+    virtual void LinkInternal() override {
         FBase::LinkInternal();
         PropertyFlags |= CPF_HasGetValueTypeHash;
     }
-    virtual uint32 GetValueTypeHashInternal(const void* Src) const override { return GetTypeHash(GetPropertyValue(Src)); }
+    virtual uint32 GetValueTypeHashInternal(const void* Src) const override {
+        return GetTypeHash(GetPropertyValue(Src));
+    }
     UE_DECLARE_PROPERTY_TEXT
 };

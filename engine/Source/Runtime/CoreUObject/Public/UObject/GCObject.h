@@ -6,19 +6,16 @@
 #include "UObject/UObjectGlobals.h"
 
 /** Base of C++ classes that report object references to the garbage collector for as long as they live. */
-class FGCObject
-{
+class FGCObject {
 public:
-    enum class EFlags : uint32
-    {
+    enum class EFlags : uint32 {
         None = 0,
         RegisterLater = 1 << 0,
         AddStableNativeReferencesOnly = 1 << 1,
     };
 
     FGCObject() { RegisterGCObject(); }
-    explicit FGCObject(EFlags InFlags)
-    {
+    explicit FGCObject(EFlags InFlags) {
         if ((static_cast<uint32>(InFlags) & static_cast<uint32>(EFlags::RegisterLater)) == 0) {
             RegisterGCObject();
         }

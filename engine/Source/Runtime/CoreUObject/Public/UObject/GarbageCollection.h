@@ -4,12 +4,11 @@
 
 #include "UObject/UObjectGlobals.h"
 
-/** Keeps collections from running in its scope; a CollectGarbage inside it is skipped (TryCollectGarbage returns false). */
-class FGCScopeGuard
-{
+/** Keeps collections from running in its scope; a CollectGarbage inside it is skipped (TryCollectGarbage returns
+ * false). */
+class FGCScopeGuard {
 public:
     COREUOBJECT_API FGCScopeGuard();
     COREUOBJECT_API ~FGCScopeGuard();
     UE_NONCOPYABLE(FGCScopeGuard)
 };
-

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What generated registration code is made of: constant tables, one per class, struct, enum, function, delegate and property, and
-// registrars that hand them to the run time when their library is loaded. Nothing is built then; ProcessNewlyLoadedUObjects() builds
-// packages, enums, structs, classes and class default objects later, in dependency order. Texts in tables are UTF-8.
-// This is our own design; Unreal's counterpart is private to its header tool.
+// What generated registration code is made of: constant tables, one per class, struct, enum, function, delegate and
+// property, and registrars that hand them to the run time when their library is loaded. Nothing is built then;
+// ProcessNewlyLoadedUObjects() builds packages, enums, structs, classes and class default objects later, in dependency
+// order. Texts in tables are UTF-8. This is our own design; Unreal's counterpart is private to its header tool.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -18,41 +18,64 @@ class UObject;
 class UScriptStruct;
 class UStruct;
 
-namespace GeneratedTables
-{
+namespace GeneratedTables {
 
 /** A metadata pair. */
-struct FMetaPair
-{
+struct FMetaPair {
     const char* Key;
     const char* Value;
 };
 
 /** Which FProperty class a property gets. */
-enum class EPropertyKind : uint8
-{
-    Bool, Int8, Int16, Int32, Int64, UInt8, UInt16, UInt32, UInt64, Float, Double,
-    String, Name, Text,
-    Enum,      // FEnumProperty; Underlying says which number is below it
-    ByteEnum,  // FByteProperty with an enum
-    Object, Class, WeakObject, LazyObject, SoftObject, SoftClass, Interface,
-    Struct, Array, Set, Map, Optional,
-    Delegate, MulticastDelegate, SparseDelegate,
+enum class EPropertyKind : uint8 {
+    Bool,
+    Int8,
+    Int16,
+    Int32,
+    Int64,
+    UInt8,
+    UInt16,
+    UInt32,
+    UInt64,
+    Float,
+    Double,
+    String,
+    Name,
+    Text,
+    Enum,     // FEnumProperty; Underlying says which number is below it
+    ByteEnum, // FByteProperty with an enum
+    Object,
+    Class,
+    WeakObject,
+    LazyObject,
+    SoftObject,
+    SoftClass,
+    Interface,
+    Struct,
+    Array,
+    Set,
+    Map,
+    Optional,
+    Delegate,
+    MulticastDelegate,
+    SparseDelegate,
     FieldPath,
 };
 
-/** One property: a member, parameter, return value, or an element, key or value of another property. Unused parts are null. */
-struct FPropertyTable
-{
+/** One property: a member, parameter, return value, or an element, key or value of another property. Unused parts are
+ * null. */
+struct FPropertyTable {
     const char* Name;
     EPropertyKind Kind;
     EPropertyKind Underlying = EPropertyKind::UInt8; // Enum
     /** Declared flags; those computed from the type are added when the property is linked. */
     uint64 Flags = 0;
     int32 ArrayDim = 1;
-    /** In the class, struct or parameter block. 0 for elements, keys, values, and for bit-fields (found with SetBit). */
+    /** In the class, struct or parameter block. 0 for elements, keys, values, and for bit-fields (found with SetBit).
+     */
     int32 Offset = 0;
-    /** sizeof one element as the C++ compiler sees it: checked against FProperty::ElementSize. 0: unknown (inner, bit-field). */
+    /** sizeof one element as the C++ compiler sees it: checked against FProperty::ElementSize. 0: unknown (inner,
+     * bit-field). */
     int32 ElementSize = 0;
     /** Enum, ByteEnum. */
     UEnum* (*EnumFunc)() = nullptr;
@@ -79,8 +102,7 @@ struct FPropertyTable
 };
 
 /** A function, or the signature of a delegate. The return value, if any, is the last parameter. */
-struct FFunctionTable
-{
+struct FFunctionTable {
     const char* Name; // for delegates with "__DelegateSignature"
     EFunctionFlags Flags;
     /** Size and alignment of the parameter block. */
@@ -100,23 +122,21 @@ struct FFunctionTable
 };
 
 /** An interface that a class implements. */
-struct FInterfaceTable
-{
+struct FInterfaceTable {
     UClass* (*InterfaceFunc)();
     /** Byte offset of the I class in the implementing class. */
     int32 Offset;
 };
 
-struct FClassTable
-{
-    const TCHAR* Package;       // "/Script/Engine"
-    const char* Name;           // "Actor"
-    UClass* (*SuperFunc)();     // null for UObject
+struct FClassTable {
+    const TCHAR* Package;   // "/Script/Engine"
+    const char* Name;       // "Actor"
+    UClass* (*SuperFunc)(); // null for UObject
     UClass* (*WithinFunc)();
     int32 Size;
     int32 Alignment;
     EClassFlags Flags;
-    const TCHAR* ConfigName;    // ini file without extension, "" if none
+    const TCHAR* ConfigName; // ini file without extension, "" if none
     void (*Constructor)(const FObjectInitializer&);
     void (*AddReferencedObjects)(UObject*, FReferenceCollector&);
     const FNameNativePtrPair* Natives = nullptr;
@@ -131,8 +151,7 @@ struct FClassTable
     int32 NumMeta = 0;
 };
 
-struct FStructTable
-{
+struct FStructTable {
     const TCHAR* Package;
     const char* Name; // "HitResult"
     UScriptStruct* (*SuperFunc)();
@@ -147,16 +166,14 @@ struct FStructTable
     int32 NumMeta = 0;
 };
 
-struct FEnumEntryTable
-{
+struct FEnumEntryTable {
     const char* Name; // as UEnum holds it: "EFoo::Bar", "ECC_WorldStatic"
     int64 Value;
     const FMetaPair* Meta = nullptr; // keys without the entry's name; "Name" is among them
     int32 NumMeta = 0;
 };
 
-struct FEnumTable
-{
+struct FEnumTable {
     const TCHAR* Package;
     const char* Name;
     const char* CppType;
@@ -169,28 +186,30 @@ struct FEnumTable
 };
 
 /**
- * The UClass of a table, without properties and functions yet (its name, package, super, size, flags, constructor and native functions
- * stand): what StaticClass() returns at any time, also while other classes are being built. Result is the storage behind StaticClass().
+ * The UClass of a table, without properties and functions yet (its name, package, super, size, flags, constructor and
+ * native functions stand): what StaticClass() returns at any time, also while other classes are being built. Result is
+ * the storage behind StaticClass().
  */
 COREUOBJECT_API void MakeClassShell(const FClassTable& Table, UClass*& Result);
 
-/** The finished struct, enum or signature; built on the first call. Result is the storage behind the generated accessor. */
+/** The finished struct, enum or signature; built on the first call. Result is the storage behind the generated
+ * accessor. */
 COREUOBJECT_API UScriptStruct* FindOrBuildStruct(const FStructTable& Table, UScriptStruct*& Result);
 COREUOBJECT_API UEnum* FindOrBuildEnum(const FEnumTable& Table, UEnum*& Result);
 COREUOBJECT_API UFunction* FindOrBuildDelegate(const TCHAR* Package, const FFunctionTable& Table, UFunction*& Result);
 
 /** One class of a header, for ProcessNewlyLoadedUObjects(). */
-struct FClassEntry
-{
+struct FClassEntry {
     UClass* (*StaticClassFunc)();
     const FClassTable* Table;
 };
 
-/** Hands the tables of one header to the run time; a static object in each generated file. Links itself into a list, nothing more. */
-struct FHeaderRegistrar
-{
-    COREUOBJECT_API FHeaderRegistrar(const FClassEntry* InClasses, int32 InNumClasses, UScriptStruct* (*const* InStructs)(), int32 InNumStructs,
-        UEnum* (*const* InEnums)(), int32 InNumEnums, UFunction* (*const* InDelegates)(), int32 InNumDelegates);
+/** Hands the tables of one header to the run time; a static object in each generated file. Links itself into a list,
+ * nothing more. */
+struct FHeaderRegistrar {
+    COREUOBJECT_API FHeaderRegistrar(const FClassEntry* InClasses, int32 InNumClasses,
+        UScriptStruct* (*const* InStructs)(), int32 InNumStructs, UEnum* (*const* InEnums)(), int32 InNumEnums,
+        UFunction* (*const* InDelegates)(), int32 InNumDelegates);
 
     const FClassEntry* Classes;
     int32 NumClasses;
@@ -204,8 +223,7 @@ struct FHeaderRegistrar
 };
 
 /** Makes the package of a module exist, also if it reflects nothing; a static object in MODULE.init.gen.cpp. */
-struct FPackageRegistrar
-{
+struct FPackageRegistrar {
     COREUOBJECT_API explicit FPackageRegistrar(const TCHAR* InPackage);
 
     const TCHAR* Package;

@@ -5,8 +5,7 @@
 #include "UObject/Object.h"
 
 /** Base class of interface classes. Intrinsic: it exists before any schema is read. */
-class COREUOBJECT_API UInterface : public UObject
-{
+class COREUOBJECT_API UInterface : public UObject {
     DECLARE_CLASS(UInterface, UObject, CLASS_Interface | CLASS_Abstract | CLASS_Intrinsic, CASTCLASS_None,
         TEXT("/Script/CoreUObject"), NO_API)
     DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(UInterface)
@@ -17,12 +16,10 @@ public:
 };
 
 /** Base class of the I-half of UInterface itself. */
-class IInterface
-{
+class IInterface {
 public:
     typedef UInterface UClassType;
-    virtual UObject* _getUObject() const
-    {
+    virtual UObject* _getUObject() const {
         check(false);
         return nullptr;
     }

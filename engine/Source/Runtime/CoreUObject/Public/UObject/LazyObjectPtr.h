@@ -7,8 +7,7 @@
 #include "UObject/PersistentObjectPtr.h"
 
 /** The GUID of an object; given out on first use and remembered while the object lives. */
-struct FUniqueObjectGuid
-{
+struct FUniqueObjectGuid {
     FUniqueObjectGuid() = default;
     FUniqueObjectGuid(const FGuid& InGuid) : Guid(InGuid) {}
     COREUOBJECT_API explicit FUniqueObjectGuid(const UObject* InObject);
@@ -27,8 +26,7 @@ private:
 };
 
 /** Untyped lazy pointer; the value of an FLazyObjectProperty. */
-struct FLazyObjectPtr : public TPersistentObjectPtr<FUniqueObjectGuid>
-{
+struct FLazyObjectPtr : public TPersistentObjectPtr<FUniqueObjectGuid> {
     FLazyObjectPtr() = default;
     explicit FLazyObjectPtr(const UObject* Object) { TPersistentObjectPtr::operator=(Object); }
     using TPersistentObjectPtr<FUniqueObjectGuid>::operator=;
@@ -36,37 +34,30 @@ struct FLazyObjectPtr : public TPersistentObjectPtr<FUniqueObjectGuid>
 
 /** Typed lazy pointer. */
 template <class T = UObject>
-struct TLazyObjectPtr : private FLazyObjectPtr
-{
+struct TLazyObjectPtr : private FLazyObjectPtr {
     using ElementType = T;
 
     TLazyObjectPtr() = default;
     TLazyObjectPtr(TYPE_OF_NULLPTR) {}
     template <class U>
         requires std::is_convertible_v<U*, T*>
-    TLazyObjectPtr(U* Object) : FLazyObjectPtr((const UObject*)Object)
-    {
-    }
+    TLazyObjectPtr(U* Object) : FLazyObjectPtr((const UObject*)Object) {}
     template <class U>
         requires std::is_convertible_v<U*, T*>
-    TLazyObjectPtr& operator=(U* Object)
-    {
+    TLazyObjectPtr& operator=(U* Object) {
         FLazyObjectPtr::operator=((const UObject*)Object);
         return *this;
     }
     template <class U>
         requires std::is_convertible_v<U*, T*>
-    TLazyObjectPtr& operator=(const TObjectPtr<U>& Object)
-    {
+    TLazyObjectPtr& operator=(const TObjectPtr<U>& Object) {
         return *this = Object.Get();
     }
-    TLazyObjectPtr& operator=(TYPE_OF_NULLPTR)
-    {
+    TLazyObjectPtr& operator=(TYPE_OF_NULLPTR) {
         Reset();
         return *this;
     }
-    TLazyObjectPtr& operator=(const FUniqueObjectGuid& InGuid)
-    {
+    TLazyObjectPtr& operator=(const FUniqueObjectGuid& InGuid) {
         FLazyObjectPtr::operator=(InGuid);
         return *this;
     }

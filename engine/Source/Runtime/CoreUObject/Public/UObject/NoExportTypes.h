@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reflection of types that are declared without it: UObject and the math types of Core. The compiler sees their real headers, the
-// header tool (for which CPP is 0) sees mirrors with the same names and members. Mirrors Epic's "UObject/NoExportTypes.h".
+// Reflection of types that are declared without it: UObject and the math types of Core. The compiler sees their real
+// headers, the header tool (for which CPP is 0) sees mirrors with the same names and members. Mirrors Epic's
+// "UObject/NoExportTypes.h".
 #pragma once
 
 #if !defined(CPP) || CPP
@@ -31,43 +32,25 @@
 
 /** Whether letters of different case are equal when text is compared. */
 UENUM()
-namespace ESearchCase
-{
-enum Type
-{
-    CaseSensitive,
-    IgnoreCase
-};
+namespace ESearchCase {
+enum Type { CaseSensitive, IgnoreCase };
 }
 
 /** The end of a text at which a search starts. */
 UENUM()
-namespace ESearchDir
-{
-enum Type
-{
-    FromStart,
-    FromEnd
-};
+namespace ESearchDir {
+enum Type { FromStart, FromEnd };
 }
 
 /** An axis, or none. */
 UENUM()
-namespace EAxis
-{
-enum Type
-{
-    None,
-    X,
-    Y,
-    Z
-};
+namespace EAxis {
+enum Type { None, X, Y, Z };
 }
 
 /** A point or direction in 3D space (double precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector
-{
+struct FVector {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector, SaveGame)
     double X;
@@ -83,8 +66,7 @@ struct FVector
 
 /** A point or direction in 3D space (single precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector3f
-{
+struct FVector3f {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector3f, SaveGame)
     float X;
@@ -100,8 +82,7 @@ struct FVector3f
 
 /** A point or direction in 2D space (double precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector2D
-{
+struct FVector2D {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector2D, SaveGame)
     double X;
@@ -113,8 +94,7 @@ struct FVector2D
 
 /** A point or direction in 2D space (single precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector2f
-{
+struct FVector2f {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector2f, SaveGame)
     float X;
@@ -126,8 +106,7 @@ struct FVector2f
 
 /** A 4D homogeneous vector (double precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector4
-{
+struct FVector4 {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector4, SaveGame)
     double X;
@@ -147,8 +126,7 @@ struct FVector4
 
 /** A 4D homogeneous vector (single precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FVector4f
-{
+struct FVector4f {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Vector4f, SaveGame)
     float X;
@@ -168,8 +146,7 @@ struct FVector4f
 
 /** A plane in 3D space: points with X*Px + Y*Py + Z*Pz = W. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FPlane : public FVector
-{
+struct FPlane : public FVector {
     /** Distance along the normal. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Plane, SaveGame)
     double W;
@@ -177,8 +154,7 @@ struct FPlane : public FVector
 
 /** A plane in 3D space (single precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FPlane4f : public FVector3f
-{
+struct FPlane4f : public FVector3f {
     /** Distance along the normal. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Plane4f, SaveGame)
     float W;
@@ -186,8 +162,7 @@ struct FPlane4f : public FVector3f
 
 /** A rotation in degrees. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FRotator
-{
+struct FRotator {
     /** Rotation around the right axis (Y), looking up and down (0 = straight ahead, + = up). */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Rotator, SaveGame)
     double Pitch;
@@ -203,8 +178,7 @@ struct FRotator
 
 /** A rotation in degrees. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FRotator3f
-{
+struct FRotator3f {
     /** Rotation around the right axis (Y), looking up and down (0 = straight ahead, + = up). */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Rotator3f, SaveGame)
     float Pitch;
@@ -220,8 +194,7 @@ struct FRotator3f
 
 /** A rotation as a quaternion (double precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FQuat
-{
+struct FQuat {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Quat, SaveGame)
     double X;
@@ -241,8 +214,7 @@ struct FQuat
 
 /** A rotation as a quaternion (single precision). */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FQuat4f
-{
+struct FQuat4f {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Quat4f, SaveGame)
     float X;
@@ -262,8 +234,7 @@ struct FQuat4f
 
 /** Scale, rotation and translation, applied in this order. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FTransform
-{
+struct FTransform {
     /** Rotation as a quaternion. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Transform, SaveGame)
     FQuat Rotation;
@@ -279,8 +250,7 @@ struct FTransform
 
 /** Scale, rotation and translation, applied in this order. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FTransform3f
-{
+struct FTransform3f {
     /** Rotation as a quaternion. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Transform3f, SaveGame)
     FQuat4f Rotation;
@@ -296,8 +266,7 @@ struct FTransform3f
 
 /** A 4x4 matrix, row vectors times matrix. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FMatrix
-{
+struct FMatrix {
     /** X row. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Matrix, SaveGame)
     FPlane XPlane;
@@ -317,8 +286,7 @@ struct FMatrix
 
 /** A 4x4 matrix, row vectors times matrix. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FMatrix44f
-{
+struct FMatrix44f {
     /** X row. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Matrix44f, SaveGame)
     FPlane4f XPlane;
@@ -338,8 +306,7 @@ struct FMatrix44f
 
 /** An axis-aligned box. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBox
-{
+struct FBox {
     /** Smallest corner. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Box, SaveGame)
     FVector Min;
@@ -355,8 +322,7 @@ struct FBox
 
 /** An axis-aligned box. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBox3f
-{
+struct FBox3f {
     /** Smallest corner. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Box3f, SaveGame)
     FVector3f Min;
@@ -372,8 +338,7 @@ struct FBox3f
 
 /** An axis-aligned rectangle. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBox2D
-{
+struct FBox2D {
     /** Smallest corner. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Box2D, SaveGame)
     FVector2D Min;
@@ -389,8 +354,7 @@ struct FBox2D
 
 /** An axis-aligned rectangle. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBox2f
-{
+struct FBox2f {
     /** Smallest corner. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Box2f, SaveGame)
     FVector2f Min;
@@ -406,8 +370,7 @@ struct FBox2f
 
 /** A box and a sphere about the same origin. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBoxSphereBounds
-{
+struct FBoxSphereBounds {
     /** Centre of both. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = BoxSphereBounds, SaveGame)
     FVector Origin;
@@ -423,8 +386,7 @@ struct FBoxSphereBounds
 
 /** A box and a sphere about the same origin. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FBoxSphereBounds3f
-{
+struct FBoxSphereBounds3f {
     /** Centre of both. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = BoxSphereBounds3f, SaveGame)
     FVector3f Origin;
@@ -440,8 +402,7 @@ struct FBoxSphereBounds3f
 
 /** A sphere. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FSphere
-{
+struct FSphere {
     /** Centre. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Sphere, SaveGame)
     FVector Center;
@@ -453,8 +414,7 @@ struct FSphere
 
 /** A sphere. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FSphere3f
-{
+struct FSphere3f {
     /** Centre. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Sphere3f, SaveGame)
     FVector3f Center;
@@ -466,8 +426,7 @@ struct FSphere3f
 
 /** A ray. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FRay
-{
+struct FRay {
     /** Start. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Ray, SaveGame)
     FVector Origin;
@@ -479,8 +438,7 @@ struct FRay
 
 /** A ray. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FRay3f
-{
+struct FRay3f {
     /** Start. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Ray3f, SaveGame)
     FVector3f Origin;
@@ -492,8 +450,7 @@ struct FRay3f
 
 /** A point in 2D space with integer coordinates. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FIntPoint
-{
+struct FIntPoint {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = IntPoint, SaveGame)
     int32 X;
@@ -505,8 +462,7 @@ struct FIntPoint
 
 /** A 2D vector with integer components. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FIntVector2
-{
+struct FIntVector2 {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = IntVector2, SaveGame)
     int32 X;
@@ -518,8 +474,7 @@ struct FIntVector2
 
 /** A point in 3D space with integer coordinates. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FIntVector
-{
+struct FIntVector {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = IntVector, SaveGame)
     int32 X;
@@ -535,8 +490,7 @@ struct FIntVector
 
 /** A 4D vector with integer components. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FIntVector4
-{
+struct FIntVector4 {
     /** X component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = IntVector4, SaveGame)
     int32 X;
@@ -556,8 +510,7 @@ struct FIntVector4
 
 /** A colour with 8 bits per channel, stored as B, G, R, A, gamma encoded. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FColor
-{
+struct FColor {
     /** Blue. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = Color, SaveGame)
     uint8 B;
@@ -577,8 +530,7 @@ struct FColor
 
 /** A linear colour with floating-point channels. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FLinearColor
-{
+struct FLinearColor {
     /** Red. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = LinearColor, SaveGame)
     float R;
@@ -598,8 +550,7 @@ struct FLinearColor
 
 /** A repeatable sequence of random numbers. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FRandomStream
-{
+struct FRandomStream {
     /** Seed the sequence started with. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = RandomStream, SaveGame)
     int32 InitialSeed;
@@ -611,8 +562,7 @@ struct FRandomStream
 
 /** A globally unique identifier. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FGuid
-{
+struct FGuid {
     /** Part 1 of 4. */
     UPROPERTY(EditAnywhere, Category = Guid, SaveGame)
     int32 A;
@@ -632,8 +582,7 @@ struct FGuid
 
 /** A date and time in ticks of 100 ns since 1 January 0001. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FDateTime
-{
+struct FDateTime {
     /** Ticks of 100 ns. */
     UPROPERTY(SaveGame)
     int64 Ticks;
@@ -641,8 +590,7 @@ struct FDateTime
 
 /** A time span in ticks of 100 ns. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FTimespan
-{
+struct FTimespan {
     /** Ticks of 100 ns. */
     UPROPERTY(SaveGame)
     int64 Ticks;
@@ -650,8 +598,7 @@ struct FTimespan
 
 /** Package and name of a top-level object. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FTopLevelAssetPath
-{
+struct FTopLevelAssetPath {
     /** Package, for instance /Game/Maps/Town. */
     UPROPERTY(EditAnywhere, Category = TopLevelAssetPath)
     FName PackageName;
@@ -663,8 +610,7 @@ struct FTopLevelAssetPath
 
 /** Path of an object that may not be loaded. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults, immutable)
-struct FSoftObjectPath
-{
+struct FSoftObjectPath {
     /** The asset. */
     UPROPERTY()
     FTopLevelAssetPath AssetPath;
@@ -676,14 +622,11 @@ struct FSoftObjectPath
 
 /** Path of a class that may not be loaded. */
 USTRUCT(noexport, BlueprintType, IsAlwaysAccessible, HasDefaults)
-struct FSoftClassPath : public FSoftObjectPath
-{
-};
+struct FSoftClassPath : public FSoftObjectPath {};
 
 /** The base class of all reflected objects. */
 UCLASS(abstract, noexport, MatchedSerializers)
-class UObject
-{
+class UObject {
     GENERATED_BODY()
 
 public:

@@ -16,12 +16,12 @@ struct FFrame;
 struct FObjectInstancingGraph;
 
 /**
- * Base class of all reflected objects. Made only by NewObject and CreateDefaultSubobject, destroyed only by garbage collection.
+ * Base class of all reflected objects. Made only by NewObject and CreateDefaultSubobject, destroyed only by garbage
+ * collection.
  */
-class UObject : public UObjectBaseUtility
-{
-    DECLARE_CLASS(UObject, UObject, CLASS_Abstract | CLASS_MatchedSerializers, CASTCLASS_None, TEXT("/Script/CoreUObject"),
-        COREUOBJECT_API)
+class UObject : public UObjectBaseUtility {
+    DECLARE_CLASS(UObject, UObject, CLASS_Abstract | CLASS_MatchedSerializers, CASTCLASS_None,
+        TEXT("/Script/CoreUObject"), COREUOBJECT_API)
     DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(UObject)
 
     friend struct Z_Construct_UClass_UObject_Statics;
@@ -36,26 +36,26 @@ public:
 
     // ---- creation of default subobjects, in constructors only
 
-    /** Creates a component or subobject; only inside a constructor. Null only if a subclass said DoNotCreateDefaultSubobject. */
-    COREUOBJECT_API UObject* CreateDefaultSubobject(FName SubobjectFName, UClass* ReturnType, UClass* ClassToCreateByDefault,
-        bool bIsRequired, bool bIsTransient);
+    /** Creates a component or subobject; only inside a constructor. Null only if a subclass said
+     * DoNotCreateDefaultSubobject. */
+    COREUOBJECT_API UObject* CreateDefaultSubobject(
+        FName SubobjectFName, UClass* ReturnType, UClass* ClassToCreateByDefault, bool bIsRequired, bool bIsTransient);
     template <class TReturnType>
-    TReturnType* CreateDefaultSubobject(FName SubobjectName, bool bTransient = false)
-    {
+    TReturnType* CreateDefaultSubobject(FName SubobjectName, bool bTransient = false) {
         UClass* ReturnType = TReturnType::StaticClass();
-        return static_cast<TReturnType*>(CreateDefaultSubobject(SubobjectName, ReturnType, ReturnType, true, bTransient));
+        return static_cast<TReturnType*>(
+            CreateDefaultSubobject(SubobjectName, ReturnType, ReturnType, true, bTransient));
     }
     template <class TReturnType, class TClassToConstructByDefault>
-    TReturnType* CreateDefaultSubobject(FName SubobjectName, bool bTransient = false)
-    {
+    TReturnType* CreateDefaultSubobject(FName SubobjectName, bool bTransient = false) {
         return static_cast<TReturnType*>(CreateDefaultSubobject(
             SubobjectName, TReturnType::StaticClass(), TClassToConstructByDefault::StaticClass(), true, bTransient));
     }
     template <class TReturnType>
-    TReturnType* CreateOptionalDefaultSubobject(FName SubobjectName, bool bTransient = false)
-    {
+    TReturnType* CreateOptionalDefaultSubobject(FName SubobjectName, bool bTransient = false) {
         UClass* ReturnType = TReturnType::StaticClass();
-        return static_cast<TReturnType*>(CreateDefaultSubobject(SubobjectName, ReturnType, ReturnType, false, bTransient));
+        return static_cast<TReturnType*>(
+            CreateDefaultSubobject(SubobjectName, ReturnType, ReturnType, false, bTransient));
     }
     /** The subobject of that name, created in a constructor or not. */
     COREUOBJECT_API UObject* GetDefaultSubobjectByName(FName ToFind);
@@ -80,7 +80,9 @@ public:
     COREUOBJECT_API bool ConditionalFinishDestroy();
     virtual void ShutdownAfterError() {}
     virtual void PostDuplicate(bool bDuplicateForPIE) {}
-    virtual void PostDuplicate(EDuplicateMode::Type DuplicateMode) { PostDuplicate(DuplicateMode == EDuplicateMode::PIE); }
+    virtual void PostDuplicate(EDuplicateMode::Type DuplicateMode) {
+        PostDuplicate(DuplicateMode == EDuplicateMode::PIE);
+    }
     virtual void PostRename(UObject* OldOuter, const FName OldName) {}
     /** Called for properties that were set from text (scene files, sidecars). */
     virtual void PostEditImport() {}
@@ -94,7 +96,8 @@ public:
 
     // ---- identity
 
-    /** Changes name and/or outer. Null name makes a unique one; null outer keeps the outer. False with REN_Test if impossible. */
+    /** Changes name and/or outer. Null name makes a unique one; null outer keeps the outer. False with REN_Test if
+     * impossible. */
     COREUOBJECT_API virtual bool Rename(
         const TCHAR* NewName = nullptr, UObject* NewOuter = nullptr, ERenameFlags Flags = REN_None);
     /** The class default object or template that the object was made from. */
@@ -129,8 +132,8 @@ public:
     /** As FindFunction; a missing function is a fatal error. */
     COREUOBJECT_API UFunction* FindFunctionChecked(FName InName) const;
     /**
-     * Calls a function with its parameters in one block, laid out as the function's properties say. Out-parameters and the return
-     * value are written back into the block.
+     * Calls a function with its parameters in one block, laid out as the function's properties say. Out-parameters and
+     * the return value are written back into the block.
      */
     COREUOBJECT_API virtual void ProcessEvent(UFunction* Function, void* Parms);
     /** Calls "FunctionName arg arg ..." on this object if it is an Exec function (or bForceCallWithNonExec). */
@@ -139,6 +142,7 @@ public:
 
     // ---- garbage collection
 
-    /** Reports references that no UPROPERTY holds. Classes declare a static of this name to add theirs; call Super's. */
+    /** Reports references that no UPROPERTY holds. Classes declare a static of this name to add theirs; call Super's.
+     */
     COREUOBJECT_API static void AddReferencedObjects(UObject* InThis, FReferenceCollector& Collector);
 };

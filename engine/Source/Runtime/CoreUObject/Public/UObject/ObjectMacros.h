@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Flags of objects, classes, structs and properties, and the macros of reflected declarations.
-// Mirrors Epic's "UObject/ObjectMacros.h" (API pages EObjectFlags, EClassFlags, EClassCastFlags, EStructFlags, EPropertyFlags).
+// Mirrors Epic's "UObject/ObjectMacros.h" (API pages EObjectFlags, EClassFlags, EClassCastFlags, EStructFlags,
+// EPropertyFlags).
 #pragma once
 
 #include "CoreMinimal.h"
@@ -21,18 +22,11 @@ struct FFrame;
 #endif
 
 /** Tag type of the placement new that builds objects; user code never makes one. */
-enum EInternal
-{
-    EC_InternalUseOnlyConstructor
-};
-enum EStaticConstructor
-{
-    EC_StaticConstructor
-};
+enum EInternal { EC_InternalUseOnlyConstructor };
+enum EStaticConstructor { EC_StaticConstructor };
 
 /** Options of StaticLoadObject and friends. */
-enum ELoadFlags
-{
+enum ELoadFlags {
     LOAD_None = 0x00000000,
     LOAD_Async = 0x00000001,
     LOAD_NoWarn = 0x00000002,
@@ -47,8 +41,7 @@ enum ELoadFlags
 };
 
 /** Flags of a package. */
-enum EPackageFlags : uint32
-{
+enum EPackageFlags : uint32 {
     PKG_None = 0x00000000,
     PKG_NewlyCreated = 0x00000001,
     PKG_ClientOptional = 0x00000002,
@@ -65,8 +58,7 @@ enum EPackageFlags : uint32
 ENUM_CLASS_FLAGS(EPackageFlags)
 
 /** Flags of a class. */
-enum EClassFlags : uint32
-{
+enum EClassFlags : uint32 {
     CLASS_None = 0x00000000u,
     CLASS_Abstract = 0x00000001u,
     CLASS_DefaultConfig = 0x00000002u,
@@ -104,13 +96,16 @@ enum EClassFlags : uint32
 ENUM_CLASS_FLAGS(EClassFlags)
 
 /** Class flags a subclass inherits. */
-#define CLASS_Inherit ((EClassFlags)(CLASS_Transient | CLASS_Optional | CLASS_DefaultConfig | CLASS_Config | CLASS_PerObjectConfig | CLASS_ConfigDoNotCheckDefaults | CLASS_NotPlaceable | CLASS_Const | CLASS_HasInstancedReference | CLASS_Deprecated | CLASS_DefaultToInstanced | CLASS_GlobalUserConfig | CLASS_ProjectUserConfig | CLASS_PerPlatformConfig | CLASS_NeedsDeferredDependencyLoading))
+#define CLASS_Inherit                                                                                                  \
+    ((EClassFlags)(CLASS_Transient | CLASS_Optional | CLASS_DefaultConfig | CLASS_Config | CLASS_PerObjectConfig |     \
+                   CLASS_ConfigDoNotCheckDefaults | CLASS_NotPlaceable | CLASS_Const | CLASS_HasInstancedReference |   \
+                   CLASS_Deprecated | CLASS_DefaultToInstanced | CLASS_GlobalUserConfig | CLASS_ProjectUserConfig |    \
+                   CLASS_PerPlatformConfig | CLASS_NeedsDeferredDependencyLoading))
 #define CLASS_ScriptInherit ((EClassFlags)(CLASS_Inherit | CLASS_EditInlineNew | CLASS_CollapseCategories))
 #define CLASS_AllFlags ((EClassFlags)0xFFFFFFFFu)
 
 /** One bit per core class, so that casts to it need no walk up the hierarchy. */
-enum EClassCastFlags : uint64
-{
+enum EClassCastFlags : uint64 {
     CASTCLASS_None = 0x0000000000000000,
     CASTCLASS_UField = 0x0000000000000001,
     CASTCLASS_FInt8Property = 0x0000000000000002,
@@ -171,8 +166,7 @@ enum EClassCastFlags : uint64
 ENUM_CLASS_FLAGS(EClassCastFlags)
 
 /** Flags of a property. */
-enum EPropertyFlags : uint64
-{
+enum EPropertyFlags : uint64 {
     CPF_None = 0,
     CPF_Edit = 0x0000000000000001,
     CPF_ConstParm = 0x0000000000000002,
@@ -235,18 +229,24 @@ enum EPropertyFlags : uint64
 };
 ENUM_CLASS_FLAGS(EPropertyFlags)
 
-#define CPF_NativeAccessSpecifiers ((EPropertyFlags)(CPF_NativeAccessSpecifierPublic | CPF_NativeAccessSpecifierProtected | CPF_NativeAccessSpecifierPrivate))
+#define CPF_NativeAccessSpecifiers                                                                                     \
+    ((EPropertyFlags)(CPF_NativeAccessSpecifierPublic | CPF_NativeAccessSpecifierProtected |                           \
+                      CPF_NativeAccessSpecifierPrivate))
 /** All parameter flags. */
-#define CPF_ParmFlags ((EPropertyFlags)(CPF_Parm | CPF_OutParm | CPF_ReturnParm | CPF_RequiredParm | CPF_ReferenceParm | CPF_ConstParm))
+#define CPF_ParmFlags                                                                                                  \
+    ((EPropertyFlags)(CPF_Parm | CPF_OutParm | CPF_ReturnParm | CPF_RequiredParm | CPF_ReferenceParm | CPF_ConstParm))
 /** Flags that pass from a container to its inner properties. */
-#define CPF_PropagateToArrayInner ((EPropertyFlags)(CPF_ExportObject | CPF_PersistentInstance | CPF_InstancedReference | CPF_ContainsInstancedReference | CPF_Config | CPF_EditConst | CPF_Deprecated | CPF_EditorOnly | CPF_AutoWeak | CPF_UObjectWrapper))
+#define CPF_PropagateToArrayInner                                                                                      \
+    ((EPropertyFlags)(CPF_ExportObject | CPF_PersistentInstance | CPF_InstancedReference |                             \
+                      CPF_ContainsInstancedReference | CPF_Config | CPF_EditConst | CPF_Deprecated | CPF_EditorOnly |  \
+                      CPF_AutoWeak | CPF_UObjectWrapper))
 /** Flags the run time computes itself; the header tool never sets them. */
-#define CPF_ComputedFlags ((EPropertyFlags)(CPF_IsPlainOldData | CPF_NoDestructor | CPF_ZeroConstructor | CPF_HasGetValueTypeHash))
+#define CPF_ComputedFlags                                                                                              \
+    ((EPropertyFlags)(CPF_IsPlainOldData | CPF_NoDestructor | CPF_ZeroConstructor | CPF_HasGetValueTypeHash))
 #define CPF_AllFlags ((EPropertyFlags)0xFFFFFFFFFFFFFFFF)
 
 /** Flags of an object instance. */
-enum EObjectFlags : uint32
-{
+enum EObjectFlags : uint32 {
     RF_NoFlags = 0x00000000,
     RF_Public = 0x00000001,
     RF_Standalone = 0x00000002,
@@ -282,15 +282,17 @@ enum EObjectFlags : uint32
 ENUM_CLASS_FLAGS(EObjectFlags)
 
 #define RF_AllFlags ((EObjectFlags)0xFFFFFFFF)
-#define RF_Load ((EObjectFlags)(RF_Public | RF_Standalone | RF_Transactional | RF_ClassDefaultObject | RF_ArchetypeObject | RF_DefaultSubObject | RF_TextExportTransient | RF_InheritableComponentTemplate | RF_DuplicateTransient | RF_NonPIEDuplicateTransient))
+#define RF_Load                                                                                                        \
+    ((EObjectFlags)(RF_Public | RF_Standalone | RF_Transactional | RF_ClassDefaultObject | RF_ArchetypeObject |        \
+                    RF_DefaultSubObject | RF_TextExportTransient | RF_InheritableComponentTemplate |                   \
+                    RF_DuplicateTransient | RF_NonPIEDuplicateTransient))
 /** Sub-objects inherit these flags from their outer. */
 #define RF_PropagateToSubObjects ((EObjectFlags)(RF_Public | RF_ArchetypeObject | RF_Transactional | RF_Transient))
 /** Objects a garbage collection keeps: none outside the editor (Epic: GARBAGE_COLLECTION_KEEPFLAGS). */
 #define GARBAGE_COLLECTION_KEEPFLAGS (WITH_EDITOR ? RF_Standalone : RF_NoFlags)
 
 /** Flags kept beside the object in GUObjectArray. */
-enum class EInternalObjectFlags : int32
-{
+enum class EInternalObjectFlags : int32 {
     None = 0,
     LoaderImport = 1 << 20,
     Garbage = 1 << 21,
@@ -312,8 +314,7 @@ inline constexpr EInternalObjectFlags EInternalObjectFlags_RootFlags = static_ca
 inline constexpr EInternalObjectFlags EInternalObjectFlags_GarbageCollectionKeepFlags = EInternalObjectFlags::Native;
 
 /** Flags of a UScriptStruct. */
-enum EStructFlags : uint32
-{
+enum EStructFlags : uint32 {
     STRUCT_NoFlags = 0x00000000,
     STRUCT_Native = 0x00000001,
     STRUCT_IdenticalNative = 0x00000002,
@@ -344,11 +345,15 @@ ENUM_CLASS_FLAGS(EStructFlags)
 
 #define STRUCT_Inherit ((EStructFlags)(STRUCT_HasInstancedReference | STRUCT_Atomic))
 /** Flags the run time derives from the C++ type. */
-#define STRUCT_ComputedFlags ((EStructFlags)(STRUCT_NetDeltaSerializeNative | STRUCT_NetSerializeNative | STRUCT_SerializeNative | STRUCT_PostSerializeNative | STRUCT_CopyNative | STRUCT_IsPlainOldData | STRUCT_NoDestructor | STRUCT_ZeroConstructor | STRUCT_IdenticalNative | STRUCT_AddStructReferencedObjects | STRUCT_ExportTextItemNative | STRUCT_ImportTextItemNative | STRUCT_SerializeFromMismatchedTag | STRUCT_PostScriptConstruct | STRUCT_NetSharedSerialization))
+#define STRUCT_ComputedFlags                                                                                           \
+    ((EStructFlags)(STRUCT_NetDeltaSerializeNative | STRUCT_NetSerializeNative | STRUCT_SerializeNative |              \
+                    STRUCT_PostSerializeNative | STRUCT_CopyNative | STRUCT_IsPlainOldData | STRUCT_NoDestructor |     \
+                    STRUCT_ZeroConstructor | STRUCT_IdenticalNative | STRUCT_AddStructReferencedObjects |              \
+                    STRUCT_ExportTextItemNative | STRUCT_ImportTextItemNative | STRUCT_SerializeFromMismatchedTag |    \
+                    STRUCT_PostScriptConstruct | STRUCT_NetSharedSerialization))
 
 /** Whether a property function gets the address of the value or of the struct or object that holds it. */
-enum class EPropertyPointerType
-{
+enum class EPropertyPointerType {
     Direct = 0,
     Container = 1,
 };
@@ -383,86 +388,67 @@ enum class EPropertyPointerType
 #endif
 
 /** Byte offset of an interface subobject inside a class. */
-#define VTABLE_OFFSET(Class, BaseClass) static_cast<int32>(reinterpret_cast<PTRINT>(static_cast<BaseClass*>(reinterpret_cast<Class*>(PTRINT(16)))) - PTRINT(16))
+#define VTABLE_OFFSET(Class, BaseClass)                                                                                \
+    static_cast<int32>(                                                                                                \
+        reinterpret_cast<PTRINT>(static_cast<BaseClass*>(reinterpret_cast<Class*>(PTRINT(16)))) - PTRINT(16))
 
 // ---------------------------------------------------------------------------------------------------------------------------
 // Class declaration blocks, used by generated headers and by the intrinsic classes.
 
-#define DECLARE_CLASS(TClass, TSuperClass, TStaticFlags, TStaticCastFlags, TPackage, TRequiredAPI)                            \
-private:                                                                                                                      \
-    TClass& operator=(TClass&&) = delete;                                                                                     \
-    TClass& operator=(const TClass&) = delete;                                                                                \
-    TRequiredAPI static UClass* GetPrivateStaticClass();                                                                      \
-                                                                                                                              \
-public:                                                                                                                       \
-    /** Flags known at compile time. */                                                                                       \
-    static constexpr EClassFlags StaticClassFlags = EClassFlags(TStaticFlags);                                                \
-    typedef TSuperClass Super;                                                                                                \
-    typedef TClass ThisClass;                                                                                                 \
-    /** The UClass of this class. */                                                                                          \
-    inline static UClass* StaticClass()                                                                                       \
-    {                                                                                                                         \
-        return GetPrivateStaticClass();                                                                                       \
-    }                                                                                                                         \
-    /** The package that owns this class. */                                                                                  \
-    inline static const TCHAR* StaticPackage()                                                                                \
-    {                                                                                                                         \
-        return TPackage;                                                                                                      \
-    }                                                                                                                         \
-    /** The cast bit of this class, if it has one. */                                                                         \
-    inline static EClassCastFlags StaticClassCastFlags()                                                                      \
-    {                                                                                                                         \
-        return EClassCastFlags(TStaticCastFlags);                                                                             \
-    }                                                                                                                         \
-    /** Objects are only made by NewObject, into memory it provides. */                                                       \
-    inline void* operator new(const size_t, EInternal* InMem)                                                                 \
-    {                                                                                                                         \
-        return static_cast<void*>(InMem);                                                                                     \
-    }                                                                                                                         \
-    inline void operator delete(void*)                                                                                        \
-    {                                                                                                                         \
-    }                                                                                                                         \
-    inline void operator delete(void*, EInternal*)                                                                            \
-    {                                                                                                                         \
-    }
+#define DECLARE_CLASS(TClass, TSuperClass, TStaticFlags, TStaticCastFlags, TPackage, TRequiredAPI)                     \
+private:                                                                                                               \
+    TClass& operator=(TClass&&) = delete;                                                                              \
+    TClass& operator=(const TClass&) = delete;                                                                         \
+    TRequiredAPI static UClass* GetPrivateStaticClass();                                                               \
+                                                                                                                       \
+public:                                                                                                                \
+    /** Flags known at compile time. */                                                                                \
+    static constexpr EClassFlags StaticClassFlags = EClassFlags(TStaticFlags);                                         \
+    typedef TSuperClass Super;                                                                                         \
+    typedef TClass ThisClass;                                                                                          \
+    /** The UClass of this class. */                                                                                   \
+    inline static UClass* StaticClass() { return GetPrivateStaticClass(); }                                            \
+    /** The package that owns this class. */                                                                           \
+    inline static const TCHAR* StaticPackage() { return TPackage; }                                                    \
+    /** The cast bit of this class, if it has one. */                                                                  \
+    inline static EClassCastFlags StaticClassCastFlags() { return EClassCastFlags(TStaticCastFlags); }                 \
+    /** Objects are only made by NewObject, into memory it provides. */                                                \
+    inline void* operator new(const size_t, EInternal* InMem) { return static_cast<void*>(InMem); }                    \
+    inline void operator delete(void*) {}                                                                              \
+    inline void operator delete(void*, EInternal*) {}
 
 /** Calls the default constructor in place. */
-#define DEFINE_DEFAULT_CONSTRUCTOR_CALL(TClass)                                                                               \
-    static void __DefaultConstructor(const FObjectInitializer& X)                                                             \
-    {                                                                                                                         \
-        new (reinterpret_cast<EInternal*>(X.GetObj())) TClass;                                                                \
+#define DEFINE_DEFAULT_CONSTRUCTOR_CALL(TClass)                                                                        \
+    static void __DefaultConstructor(const FObjectInitializer& X) {                                                    \
+        new (reinterpret_cast<EInternal*>(X.GetObj())) TClass;                                                         \
     }
 /** Calls the FObjectInitializer constructor in place. */
-#define DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)                                                            \
-    static void __DefaultConstructor(const FObjectInitializer& X)                                                             \
-    {                                                                                                                         \
-        new (reinterpret_cast<EInternal*>(X.GetObj())) TClass(X);                                                             \
+#define DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)                                                     \
+    static void __DefaultConstructor(const FObjectInitializer& X) {                                                    \
+        new (reinterpret_cast<EInternal*>(X.GetObj())) TClass(X);                                                      \
     }
 /** An abstract C++ class (with pure virtual functions) that can never be built; only its UClass exists. */
-#define DEFINE_FORBIDDEN_DEFAULT_CONSTRUCTOR_CALL(TClass)                                                                     \
-    static void __DefaultConstructor(const FObjectInitializer& X)                                                             \
-    {                                                                                                                         \
-        checkf(false, TEXT("Constructor of " #TClass " is not reachable"));                                                   \
+#define DEFINE_FORBIDDEN_DEFAULT_CONSTRUCTOR_CALL(TClass)                                                              \
+    static void __DefaultConstructor(const FObjectInitializer& X) {                                                    \
+        checkf(false, TEXT("Constructor of " #TClass " is not reachable"));                                            \
     }
 
-#define DECLARE_WITHIN_INTERNAL(TWithinClass, bCanUseOnCDO)                                                                   \
-    typedef TWithinClass WithinClass;                                                                                         \
-    template <typename T = TWithinClass>                                                                                      \
-    T* GetOuter##TWithinClass() const                                                                                         \
-    {                                                                                                                         \
-        return static_cast<T*>(GetOuter());                                                                                   \
+#define DECLARE_WITHIN_INTERNAL(TWithinClass, bCanUseOnCDO)                                                            \
+    typedef TWithinClass WithinClass;                                                                                  \
+    template <typename T = TWithinClass>                                                                               \
+    T* GetOuter##TWithinClass() const {                                                                                \
+        return static_cast<T*>(GetOuter());                                                                            \
     }
 #define DECLARE_WITHIN(TWithinClass) DECLARE_WITHIN_INTERNAL(TWithinClass, true)
 
 /** Declares a class that exists without the header tool: only the meta classes of the reflection system itself. */
-#define DECLARE_CASTED_CLASS_INTRINSIC_NO_CTOR(TClass, TSuperClass, TStaticFlags, TPackage, TStaticCastFlags, TRequiredAPI)   \
-    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic, TStaticCastFlags, TPackage, TRequiredAPI)            \
+#define DECLARE_CASTED_CLASS_INTRINSIC_NO_CTOR(                                                                        \
+    TClass, TSuperClass, TStaticFlags, TPackage, TStaticCastFlags, TRequiredAPI)                                       \
+    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic, TStaticCastFlags, TPackage, TRequiredAPI)     \
     DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)
-#define DECLARE_CLASS_INTRINSIC(TClass, TSuperClass, TStaticFlags, TPackage)                                                  \
-    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic, CASTCLASS_None, TPackage, NO_API)                    \
-    explicit TClass(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer)                                   \
-    {                                                                                                                         \
-    }                                                                                                                         \
+#define DECLARE_CLASS_INTRINSIC(TClass, TSuperClass, TStaticFlags, TPackage)                                           \
+    DECLARE_CLASS(TClass, TSuperClass, (TStaticFlags) | CLASS_Intrinsic, CASTCLASS_None, TPackage, NO_API)             \
+    explicit TClass(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer) {}                         \
     DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(TClass)
 
 /** Name of the class without its prefix letter and without the deprecation mark. */

@@ -8,12 +8,11 @@ class UClass;
 class UObject;
 
 /**
- * A pointer to an object, for UPROPERTY members. Same size and bits as a raw pointer, so that properties see both alike. T may be
- * incomplete until the object is used.
+ * A pointer to an object, for UPROPERTY members. Same size and bits as a raw pointer, so that properties see both
+ * alike. T may be incomplete until the object is used.
  */
 template <typename T>
-struct TObjectPtr
-{
+struct TObjectPtr {
     using ElementType = T;
 
     TObjectPtr() = default;
@@ -23,23 +22,17 @@ struct TObjectPtr
     TObjectPtr& operator=(const TObjectPtr&) = default;
     template <typename U>
         requires std::is_convertible_v<U*, T*>
-    TObjectPtr(U* Object) : Pointer(Object)
-    {
-    }
+    TObjectPtr(U* Object) : Pointer(Object) {}
     template <typename U>
         requires(!std::is_same_v<U, T> && std::is_convertible_v<U*, T*>)
-    TObjectPtr(const TObjectPtr<U>& Other) : Pointer(Other.Get())
-    {
-    }
-    TObjectPtr& operator=(TYPE_OF_NULLPTR)
-    {
+    TObjectPtr(const TObjectPtr<U>& Other) : Pointer(Other.Get()) {}
+    TObjectPtr& operator=(TYPE_OF_NULLPTR) {
         Pointer = nullptr;
         return *this;
     }
     template <typename U>
         requires std::is_convertible_v<U*, T*>
-    TObjectPtr& operator=(U* Object)
-    {
+    TObjectPtr& operator=(U* Object) {
         Pointer = Object;
         return *this;
     }
@@ -49,8 +42,7 @@ struct TObjectPtr
     /** Explicit conversion, for static_cast to other object types. */
     template <typename U>
         requires(!std::is_same_v<U, T> && std::is_base_of_v<T, U>)
-    explicit operator U*() const
-    {
+    explicit operator U*() const {
         return static_cast<U*>(Pointer);
     }
     explicit operator UPTRINT() const { return reinterpret_cast<UPTRINT>(Pointer); }
@@ -71,40 +63,33 @@ using FObjectPtr = TObjectPtr<UObject>;
 
 template <typename T, typename U>
     requires requires(T* A, U* B) { A == B; }
-bool operator==(const TObjectPtr<T>& A, const TObjectPtr<U>& B)
-{
+bool operator==(const TObjectPtr<T>& A, const TObjectPtr<U>& B) {
     return A.Get() == B.Get();
 }
 template <typename T, typename U>
     requires requires(T* A, U* B) { A == B; }
-bool operator==(const TObjectPtr<T>& A, U* B)
-{
+bool operator==(const TObjectPtr<T>& A, U* B) {
     return A.Get() == B;
 }
 template <typename T>
-bool operator==(const TObjectPtr<T>& A, TYPE_OF_NULLPTR)
-{
+bool operator==(const TObjectPtr<T>& A, TYPE_OF_NULLPTR) {
     return A.Get() == nullptr;
 }
 template <typename T>
-uint32 GetTypeHash(const TObjectPtr<T>& Object)
-{
+uint32 GetTypeHash(const TObjectPtr<T>& Object) {
     return PointerHash(Object.Get());
 }
 
 template <typename T>
-struct TIsTObjectPtr
-{
+struct TIsTObjectPtr {
     static constexpr bool Value = false;
 };
 template <typename T>
-struct TIsTObjectPtr<TObjectPtr<T>>
-{
+struct TIsTObjectPtr<TObjectPtr<T>> {
     static constexpr bool Value = true;
 };
 template <typename T>
-struct TIsTObjectPtr<const TObjectPtr<T>>
-{
+struct TIsTObjectPtr<const TObjectPtr<T>> {
     static constexpr bool Value = true;
 };
 template <typename T>
@@ -112,38 +97,31 @@ inline constexpr bool TIsTObjectPtr_V = TIsTObjectPtr<T>::Value;
 
 /** The raw pointer of either form. */
 template <typename T>
-T* ToRawPtr(const TObjectPtr<T>& Ptr)
-{
+T* ToRawPtr(const TObjectPtr<T>& Ptr) {
     return Ptr.Get();
 }
 template <typename T>
-T* ToRawPtr(T* Ptr)
-{
+T* ToRawPtr(T* Ptr) {
     return Ptr;
 }
 /** An array of TObjectPtr seen as one of raw pointers. */
 template <typename T, typename Allocator>
-const TArray<T*, Allocator>& ObjectPtrDecay(const TArray<TObjectPtr<T>, Allocator>& Array)
-{
+const TArray<T*, Allocator>& ObjectPtrDecay(const TArray<TObjectPtr<T>, Allocator>& Array) {
     return reinterpret_cast<const TArray<T*, Allocator>&>(Array);
 }
 template <typename T>
-T* ObjectPtrDecay(const TObjectPtr<T>& Ptr)
-{
+T* ObjectPtrDecay(const TObjectPtr<T>& Ptr) {
     return Ptr.Get();
 }
 template <typename T, typename Allocator>
-TArray<TObjectPtr<T>, Allocator>& ObjectPtrWrap(TArray<T*, Allocator>& Array)
-{
+TArray<TObjectPtr<T>, Allocator>& ObjectPtrWrap(TArray<T*, Allocator>& Array) {
     return reinterpret_cast<TArray<TObjectPtr<T>, Allocator>&>(Array);
 }
 template <typename T>
-TObjectPtr<T>& ObjectPtrWrap(T*& Object)
-{
+TObjectPtr<T>& ObjectPtrWrap(T*& Object) {
     return reinterpret_cast<TObjectPtr<T>&>(Object);
 }
 template <typename T, typename Allocator>
-TArray<T*, Allocator>& MutableView(TArray<TObjectPtr<T>, Allocator>& Array)
-{
+TArray<T*, Allocator>& MutableView(TArray<TObjectPtr<T>, Allocator>& Array) {
     return reinterpret_cast<TArray<T*, Allocator>&>(Array);
 }

@@ -6,8 +6,7 @@
 #include "UObject/Object.h"
 
 /** A package: "/Script/Module" for native types, "/Game/..." for content, "/Engine/Transient" for the rest. */
-class COREUOBJECT_API UPackage : public UObject
-{
+class COREUOBJECT_API UPackage : public UObject {
     UE_DECLARE_INTRINSIC(UPackage, UObject, CLASS_None, CASTCLASS_UPackage)
 
     void SetPackageFlags(uint32 NewFlags) { PackageFlags |= NewFlags; }

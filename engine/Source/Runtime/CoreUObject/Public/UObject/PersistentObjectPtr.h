@@ -6,31 +6,26 @@
 
 /** Resolves an id (soft path, GUID) to an object and caches it weakly. */
 template <class TObjectID>
-struct TPersistentObjectPtr
-{
+struct TPersistentObjectPtr {
     using ElementType = TObjectID;
 
     TPersistentObjectPtr() = default;
     TPersistentObjectPtr(TYPE_OF_NULLPTR) {}
 
-    void Reset()
-    {
+    void Reset() {
         WeakPtr.Reset();
         ObjectID.Reset();
     }
     void ResetWeakPtr() { WeakPtr.Reset(); }
-    TPersistentObjectPtr& operator=(const TObjectID& InObjectID)
-    {
+    TPersistentObjectPtr& operator=(const TObjectID& InObjectID) {
         WeakPtr.Reset();
         ObjectID = InObjectID;
         return *this;
     }
-    TPersistentObjectPtr& operator=(const FWeakObjectPtr& Other)
-    {
+    TPersistentObjectPtr& operator=(const FWeakObjectPtr& Other) {
         return *this = static_cast<const UObject*>(Other.Get());
     }
-    TPersistentObjectPtr& operator=(const UObject* Object)
-    {
+    TPersistentObjectPtr& operator=(const UObject* Object) {
         if (Object) {
             ObjectID = TObjectID::GetOrCreateIDForObject(Object);
             WeakPtr = Object;
@@ -42,8 +37,7 @@ struct TPersistentObjectPtr
     const TObjectID& GetUniqueID() const { return ObjectID; }
     TObjectID& GetUniqueID() { return ObjectID; }
     /** The object if it is in memory. */
-    UObject* Get() const
-    {
+    UObject* Get() const {
         UObject* Object = WeakPtr.Get();
         if (!Object && ObjectID.IsValid()) {
             Object = ObjectID.ResolveObject();
@@ -51,8 +45,7 @@ struct TPersistentObjectPtr
         }
         return ::IsValid(Object) ? Object : nullptr;
     }
-    UObject* Get(bool bEvenIfGarbage) const
-    {
+    UObject* Get(bool bEvenIfGarbage) const {
         UObject* Object = WeakPtr.Get(bEvenIfGarbage);
         return Object ? Object : Get();
     }

@@ -8,8 +8,7 @@
 #include "UObject/SoftObjectPtr.h"
 
 /** Base of all properties that refer to one object. */
-class FObjectPropertyBase : public FProperty
-{
+class FObjectPropertyBase : public FProperty {
     DECLARE_FIELD(FObjectPropertyBase, FProperty, CASTCLASS_FObjectPropertyBase)
 
     /** Class of the objects it may hold. */
@@ -20,33 +19,33 @@ class FObjectPropertyBase : public FProperty
     /** The object a value refers to, or null (also if it is not in memory). */
     virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const { return nullptr; }
     virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const { check(false); }
-    UObject* GetObjectPropertyValue_InContainer(const void* ContainerAddress, int32 ArrayIndex = 0) const
-    {
+    UObject* GetObjectPropertyValue_InContainer(const void* ContainerAddress, int32 ArrayIndex = 0) const {
         return GetObjectPropertyValue(ContainerPtrToValuePtr<void>(ContainerAddress, ArrayIndex));
     }
-    void SetObjectPropertyValue_InContainer(void* ContainerAddress, UObject* Value, int32 ArrayIndex = 0) const
-    {
+    void SetObjectPropertyValue_InContainer(void* ContainerAddress, UObject* Value, int32 ArrayIndex = 0) const {
         SetObjectPropertyValue(ContainerPtrToValuePtr<void>(ContainerAddress, ArrayIndex), Value);
     }
-    TObjectPtr<UObject> GetObjectPtrPropertyValue(const void* PropertyValueAddress) const { return GetObjectPropertyValue(PropertyValueAddress); }
+    TObjectPtr<UObject> GetObjectPtrPropertyValue(const void* PropertyValueAddress) const {
+        return GetObjectPropertyValue(PropertyValueAddress);
+    }
     /** As GetObjectPropertyValue, loading soft references. */
-    virtual UObject* LoadObjectPropertyValue(const void* PropertyValueAddress) const
-    {
+    virtual UObject* LoadObjectPropertyValue(const void* PropertyValueAddress) const {
         return GetObjectPropertyValue(PropertyValueAddress);
     }
     /** "/Script/Module.Class'/Path.Name'". */
-    COREUOBJECT_API static FString GetExportPath(
-        const UObject* Object, const UObject* Parent = nullptr, const UObject* ExportRootScope = nullptr, const uint32 PortFlags = PPF_None);
+    COREUOBJECT_API static FString GetExportPath(const UObject* Object, const UObject* Parent = nullptr,
+        const UObject* ExportRootScope = nullptr, const uint32 PortFlags = PPF_None);
     /** Reads "None", a path, or "Class'Path'"; false for an object that does not exist or is of a wrong class. */
-    COREUOBJECT_API static bool ParseObjectPropertyValue(const FProperty* Property, UObject* OwnerObject, UClass* RequiredMetaClass,
-        uint32 PortFlags, const TCHAR*& Buffer, TObjectPtr<UObject>& OutResolvedValue);
+    COREUOBJECT_API static bool ParseObjectPropertyValue(const FProperty* Property, UObject* OwnerObject,
+        UClass* RequiredMetaClass, uint32 PortFlags, const TCHAR*& Buffer, TObjectPtr<UObject>& OutResolvedValue);
     virtual bool AllowCrossLevel() const { return false; }
-    virtual bool SameType(const FProperty* Other) const override
-    {
+    virtual bool SameType(const FProperty* Other) const override {
         return Super::SameType(Other) && PropertyClass == static_cast<const FObjectPropertyBase*>(Other)->PropertyClass;
     }
     virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override;
-    virtual void AddReferencedObjects(FReferenceCollector& Collector) override { Collector.AddReferencedObject(PropertyClass); }
+    virtual void AddReferencedObjects(FReferenceCollector& Collector) override {
+        Collector.AddReferencedObject(PropertyClass);
+    }
     /** False if the object may not be stored here. */
     COREUOBJECT_API bool IsObjectAllowed(const UObject* Value) const;
 
@@ -59,97 +58,84 @@ protected:
 
 /** Object properties by the C++ type that stores the reference. */
 template <typename InTCppType>
-class TFObjectPropertyBase : public TProperty<InTCppType, FObjectPropertyBase>
-{
+class TFObjectPropertyBase : public TProperty<InTCppType, FObjectPropertyBase> {
 public:
     typedef TProperty<InTCppType, FObjectPropertyBase> Super;
     typedef InTCppType TCppType;
     using typename Super::TTypeFundamentals;
-    TFObjectPropertyBase(FFieldVariant InOwner, const FName& InName, EObjectFlags InObjectFlags) : Super(InOwner, InName, InObjectFlags)
-    {
-    }
+    TFObjectPropertyBase(FFieldVariant InOwner, const FName& InName, EObjectFlags InObjectFlags)
+        : Super(InOwner, InName, InObjectFlags) {}
 
 protected:
-    virtual void LinkInternal() override
-    {
+    virtual void LinkInternal() override {
         Super::LinkInternal();
         this->PropertyFlags |= CPF_HasGetValueTypeHash;
     }
-    virtual uint32 GetValueTypeHashInternal(const void* Src) const override
-    {
+    virtual uint32 GetValueTypeHashInternal(const void* Src) const override {
         return GetTypeHash(TTypeFundamentals::GetPropertyValue(Src));
     }
 };
 
 /** A strong object reference: `T*` or `TObjectPtr<T>`. */
-class FObjectProperty : public TFObjectPropertyBase<TObjectPtr<UObject>>
-{
+class FObjectProperty : public TFObjectPropertyBase<TObjectPtr<UObject>> {
     DECLARE_FIELD(FObjectProperty, TFObjectPropertyBase<TObjectPtr<UObject>>, CASTCLASS_FObjectProperty)
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override {
         return GetPropertyValue(PropertyValueAddress);
     }
-    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override
-    {
+    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override {
         SetPropertyValue(PropertyValueAddress, Value);
     }
     virtual bool ContainsObjectReference(TArray<const FStructProperty*>& EncounteredStructProps,
-        EPropertyObjectReferenceType InReferenceType) const override
-    {
+        EPropertyObjectReferenceType InReferenceType) const override {
         return EnumHasAnyFlags(InReferenceType, EPropertyObjectReferenceType::Strong);
     }
-    COREUOBJECT_API virtual void CollectReferences(void* Value, FReferenceCollector& Collector, const UObject* Referencer) const override;
+    COREUOBJECT_API virtual void CollectReferences(
+        void* Value, FReferenceCollector& Collector, const UObject* Referencer) const override;
     COREUOBJECT_API virtual void InstanceSubobjects(
         void* Data, void const* DefaultData, UObject* InOwner, FObjectInstancingGraph* InstanceGraph) override;
 
 protected:
-    virtual void LinkInternal() override
-    {
+    virtual void LinkInternal() override {
         Super::LinkInternal();
         PropertyFlags |= CPF_ZeroConstructor;
     }
 };
 
 /** A weak object reference: `TWeakObjectPtr<T>`. */
-class FWeakObjectProperty : public TFObjectPropertyBase<FWeakObjectPtr>
-{
+class FWeakObjectProperty : public TFObjectPropertyBase<FWeakObjectPtr> {
     DECLARE_FIELD(FWeakObjectProperty, TFObjectPropertyBase<FWeakObjectPtr>, CASTCLASS_FWeakObjectProperty)
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override {
         return GetPropertyValue(PropertyValueAddress).Get();
     }
-    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override
-    {
+    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override {
         SetPropertyValue(PropertyValueAddress, FWeakObjectPtr(Value));
     }
     virtual bool ContainsObjectReference(TArray<const FStructProperty*>& EncounteredStructProps,
-        EPropertyObjectReferenceType InReferenceType) const override
-    {
+        EPropertyObjectReferenceType InReferenceType) const override {
         return EnumHasAnyFlags(InReferenceType, EPropertyObjectReferenceType::Weak);
     }
 };
 
 /** A reference by GUID: `TLazyObjectPtr<T>`. */
-class FLazyObjectProperty : public TFObjectPropertyBase<FLazyObjectPtr>
-{
+class FLazyObjectProperty : public TFObjectPropertyBase<FLazyObjectPtr> {
     DECLARE_FIELD(FLazyObjectProperty, TFObjectPropertyBase<FLazyObjectPtr>, CASTCLASS_FLazyObjectProperty)
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override {
         return GetPropertyValue(PropertyValueAddress).Get();
     }
-    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override
-    {
+    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override {
         SetPropertyValue(PropertyValueAddress, FLazyObjectPtr(Value));
     }
     virtual bool AllowCrossLevel() const override { return true; }
-    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override
-    {
+    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override {
         return GetPropertyValue(A) == GetOptionalPropertyValue(B);
     }
 
@@ -158,31 +144,26 @@ protected:
 };
 
 /** A reference by path: `TSoftObjectPtr<T>`. */
-class FSoftObjectProperty : public TFObjectPropertyBase<FSoftObjectPtr>
-{
+class FSoftObjectProperty : public TFObjectPropertyBase<FSoftObjectPtr> {
     DECLARE_FIELD(FSoftObjectProperty, TFObjectPropertyBase<FSoftObjectPtr>, CASTCLASS_FSoftObjectProperty)
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual UObject* GetObjectPropertyValue(const void* PropertyValueAddress) const override {
         return GetPropertyValue(PropertyValueAddress).Get();
     }
-    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override
-    {
+    virtual void SetObjectPropertyValue(void* PropertyValueAddress, UObject* Value) const override {
         SetPropertyValue(PropertyValueAddress, FSoftObjectPtr(Value));
     }
-    virtual UObject* LoadObjectPropertyValue(const void* PropertyValueAddress) const override
-    {
+    virtual UObject* LoadObjectPropertyValue(const void* PropertyValueAddress) const override {
         return GetPropertyValue(PropertyValueAddress).LoadSynchronous();
     }
     virtual bool AllowCrossLevel() const override { return true; }
     virtual bool ContainsObjectReference(TArray<const FStructProperty*>& EncounteredStructProps,
-        EPropertyObjectReferenceType InReferenceType) const override
-    {
+        EPropertyObjectReferenceType InReferenceType) const override {
         return EnumHasAnyFlags(InReferenceType, EPropertyObjectReferenceType::Soft);
     }
-    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override
-    {
+    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override {
         return GetPropertyValue(A) == GetOptionalPropertyValue(B);
     }
 
@@ -191,21 +172,19 @@ protected:
 };
 
 /** A class reference: `TSubclassOf<T>`, `UClass*`. */
-class FClassProperty : public FObjectProperty
-{
+class FClassProperty : public FObjectProperty {
     DECLARE_FIELD(FClassProperty, FObjectProperty, CASTCLASS_FClassProperty)
 
     /** Classes must be this one or a child of it. */
     TObjectPtr<UClass> MetaClass;
 
     void SetMetaClass(UClass* NewMetaClass) { MetaClass = NewMetaClass; }
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual bool SameType(const FProperty* Other) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual bool SameType(const FProperty* Other) const override {
         return Super::SameType(Other) && MetaClass == static_cast<const FClassProperty*>(Other)->MetaClass;
     }
-    virtual void AddReferencedObjects(FReferenceCollector& Collector) override
-    {
+    virtual void AddReferencedObjects(FReferenceCollector& Collector) override {
         Super::AddReferencedObjects(Collector);
         Collector.AddReferencedObject(MetaClass);
     }
@@ -215,16 +194,15 @@ protected:
 };
 
 /** A class reference by path: `TSoftClassPtr<T>`. */
-class FSoftClassProperty : public FSoftObjectProperty
-{
+class FSoftClassProperty : public FSoftObjectProperty {
     DECLARE_FIELD(FSoftClassProperty, FSoftObjectProperty, CASTCLASS_FSoftClassProperty)
 
     TObjectPtr<UClass> MetaClass;
 
     void SetMetaClass(UClass* NewMetaClass) { MetaClass = NewMetaClass; }
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual bool SameType(const FProperty* Other) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual bool SameType(const FProperty* Other) const override {
         return Super::SameType(Other) && MetaClass == static_cast<const FSoftClassProperty*>(Other)->MetaClass;
     }
 
@@ -233,8 +211,7 @@ protected:
 };
 
 /** An interface reference: `TScriptInterface<I>`. */
-class FInterfaceProperty : public TProperty_WithEquality<FScriptInterface, FProperty>
-{
+class FInterfaceProperty : public TProperty_WithEquality<FScriptInterface, FProperty> {
     typedef TProperty_WithEquality<FScriptInterface, FProperty> FBase;
     DECLARE_FIELD(FInterfaceProperty, FBase, CASTCLASS_FInterfaceProperty)
 
@@ -242,24 +219,26 @@ class FInterfaceProperty : public TProperty_WithEquality<FScriptInterface, FProp
     TObjectPtr<UClass> InterfaceClass;
 
     void SetInterfaceClass(UClass* NewInterfaceClass) { InterfaceClass = NewInterfaceClass; }
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
     virtual bool ContainsObjectReference(TArray<const FStructProperty*>& EncounteredStructProps,
-        EPropertyObjectReferenceType InReferenceType) const override
-    {
+        EPropertyObjectReferenceType InReferenceType) const override {
         return EnumHasAnyFlags(InReferenceType, EPropertyObjectReferenceType::Strong);
     }
-    COREUOBJECT_API virtual void CollectReferences(void* Value, FReferenceCollector& Collector, const UObject* Referencer) const override;
-    virtual bool SameType(const FProperty* Other) const override
-    {
-        return Super::SameType(Other) && InterfaceClass == static_cast<const FInterfaceProperty*>(Other)->InterfaceClass;
+    COREUOBJECT_API virtual void CollectReferences(
+        void* Value, FReferenceCollector& Collector, const UObject* Referencer) const override;
+    virtual bool SameType(const FProperty* Other) const override {
+        return Super::SameType(Other) &&
+               InterfaceClass == static_cast<const FInterfaceProperty*>(Other)->InterfaceClass;
     }
 
 protected:
-    virtual void LinkInternal() override
-    {
+    virtual void LinkInternal() override {
         FBase::LinkInternal();
         PropertyFlags |= CPF_ZeroConstructor | CPF_HasGetValueTypeHash;
     }
-    virtual uint32 GetValueTypeHashInternal(const void* Src) const override { return GetTypeHash(GetPropertyValue(Src)); }
+    virtual uint32 GetValueTypeHashInternal(const void* Src) const override {
+        return GetTypeHash(GetPropertyValue(Src));
+    }
     UE_DECLARE_PROPERTY_TEXT
 };

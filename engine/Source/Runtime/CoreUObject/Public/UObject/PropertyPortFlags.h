@@ -4,8 +4,7 @@
 
 #include "CoreTypes.h"
 
-enum EPropertyPortFlags
-{
+enum EPropertyPortFlags {
     PPF_None = 0x00000000,
     /** Export: write quotes and escapes where the text is part of a list or struct. Import: read them. */
     PPF_Delimited = 0x00000002,

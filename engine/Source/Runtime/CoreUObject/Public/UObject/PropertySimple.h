@@ -4,16 +4,16 @@
 
 #include "UObject/PropertyNumeric.h"
 
-#define UE_DECLARE_PROPERTY_TEXT                                                                                              \
-    COREUOBJECT_API virtual void ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,                 \
-        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,                 \
-        UObject* ExportRootScope) const override;                                                                             \
-    COREUOBJECT_API virtual const TCHAR* ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,               \
-        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText) const override;
+#define UE_DECLARE_PROPERTY_TEXT                                                                                       \
+    COREUOBJECT_API virtual void ExportText_Internal(FString& ValueStr, const void* PropertyValueOrContainer,          \
+        EPropertyPointerType PropertyPointerType, const void* DefaultValue, UObject* Parent, int32 PortFlags,          \
+        UObject* ExportRootScope) const override;                                                                      \
+    COREUOBJECT_API virtual const TCHAR* ImportText_Internal(const TCHAR* Buffer, void* ContainerOrPropertyPtr,        \
+        EPropertyPointerType PropertyPointerType, UObject* OwnerObject, int32 PortFlags, FOutputDevice* ErrorText)     \
+        const override;
 
 /** A bool, or one bit of an integer. */
-class FBoolProperty : public FProperty
-{
+class FBoolProperty : public FProperty {
     DECLARE_FIELD(FBoolProperty, FProperty, CASTCLASS_FBoolProperty)
 
     typedef bool TCppType;
@@ -28,43 +28,38 @@ class FBoolProperty : public FProperty
     uint32 GetBoolSize() const { return FieldSize; }
     int32 GetMinAlignment() const override { return IsNativeBool() ? 1 : FieldSize; }
 
-    bool GetPropertyValue(void const* A) const
-    {
-        return (static_cast<const uint8*>(A)[ByteOffset] & FieldMask) != 0;
-    }
-    bool GetPropertyValue_InContainer(void const* A, int32 ArrayIndex = 0) const
-    {
+    bool GetPropertyValue(void const* A) const { return (static_cast<const uint8*>(A)[ByteOffset] & FieldMask) != 0; }
+    bool GetPropertyValue_InContainer(void const* A, int32 ArrayIndex = 0) const {
         return GetPropertyValue(ContainerPtrToValuePtr<void>(A, ArrayIndex));
     }
-    void SetPropertyValue(void* A, bool Value) const
-    {
+    void SetPropertyValue(void* A, bool Value) const {
         uint8* const Byte = static_cast<uint8*>(A) + ByteOffset;
         *Byte = static_cast<uint8>((*Byte & ~FieldMask) | (Value ? ByteMask : 0));
     }
-    void SetPropertyValue_InContainer(void* A, bool Value, int32 ArrayIndex = 0) const
-    {
+    void SetPropertyValue_InContainer(void* A, bool Value, int32 ArrayIndex = 0) const {
         SetPropertyValue(ContainerPtrToValuePtr<void>(A, ArrayIndex), Value);
     }
     static bool GetDefaultPropertyValue() { return false; }
     bool GetOptionalPropertyValue(void const* B) const { return B && GetPropertyValue(B); }
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
-    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override
-    {
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override {
         return GetPropertyValue(A) == GetOptionalPropertyValue(B);
     }
-    virtual void CopySingleValueToScriptVM(void* Dest, void const* Src) const override
-    {
+    virtual void CopySingleValueToScriptVM(void* Dest, void const* Src) const override {
         *static_cast<uint8*>(Dest) = GetPropertyValue(Src) ? 1 : 0;
     }
-    virtual void CopyCompleteValueToScriptVM(void* Dest, void const* Src) const override { CopySingleValueToScriptVM(Dest, Src); }
-    virtual void CopySingleValueFromScriptVM(void* Dest, void const* Src) const override
-    {
+    virtual void CopyCompleteValueToScriptVM(void* Dest, void const* Src) const override {
+        CopySingleValueToScriptVM(Dest, Src);
+    }
+    virtual void CopySingleValueFromScriptVM(void* Dest, void const* Src) const override {
         SetPropertyValue(Dest, *static_cast<const uint8*>(Src) != 0);
     }
-    virtual void CopyCompleteValueFromScriptVM(void* Dest, void const* Src) const override { CopySingleValueFromScriptVM(Dest, Src); }
-    virtual bool SameType(const FProperty* Other) const override
-    {
+    virtual void CopyCompleteValueFromScriptVM(void* Dest, void const* Src) const override {
+        CopySingleValueFromScriptVM(Dest, Src);
+    }
+    virtual bool SameType(const FProperty* Other) const override {
         return Super::SameType(Other) && IsNativeBool() == static_cast<const FBoolProperty*>(Other)->IsNativeBool();
     }
 
@@ -85,8 +80,7 @@ private:
 };
 
 /** An enum class, with the integer property that stores it. */
-class FEnumProperty : public FProperty
-{
+class FEnumProperty : public FProperty {
     DECLARE_FIELD(FEnumProperty, FProperty, CASTCLASS_FEnumProperty)
 public:
     COREUOBJECT_API virtual ~FEnumProperty() override;
@@ -97,14 +91,13 @@ public:
     /** Takes over the integer property. */
     void SetUnderlyingProperty(FNumericProperty* Property) { UnderlyingProp = Property; }
 
-    COREUOBJECT_API virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
+    COREUOBJECT_API virtual FString GetCPPType(
+        FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override;
     virtual int32 GetMinAlignment() const override { return UnderlyingProp->GetMinAlignment(); }
-    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override
-    {
+    virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override {
         return UnderlyingProp->Identical(A, B, PortFlags);
     }
-    virtual bool SameType(const FProperty* Other) const override
-    {
+    virtual bool SameType(const FProperty* Other) const override {
         return Super::SameType(Other) && Enum == static_cast<const FEnumProperty*>(Other)->Enum &&
                UnderlyingProp->SameType(static_cast<const FEnumProperty*>(Other)->UnderlyingProp);
     }
@@ -112,12 +105,15 @@ public:
 
 protected:
     virtual void LinkInternal() override;
-    virtual void CopyValuesInternal(void* Dest, void const* Src, int32 Count) const override
-    {
+    virtual void CopyValuesInternal(void* Dest, void const* Src, int32 Count) const override {
         FMemory::Memcpy(Dest, Src, static_cast<SIZE_T>(ElementSize * Count));
     }
-    virtual void ClearValueInternal(void* Data) const override { FMemory::Memzero(Data, static_cast<SIZE_T>(ElementSize)); }
-    virtual uint32 GetValueTypeHashInternal(const void* Src) const override { return UnderlyingProp->GetValueTypeHash(Src); }
+    virtual void ClearValueInternal(void* Data) const override {
+        FMemory::Memzero(Data, static_cast<SIZE_T>(ElementSize));
+    }
+    virtual uint32 GetValueTypeHashInternal(const void* Src) const override {
+        return UnderlyingProp->GetValueTypeHash(Src);
+    }
     UE_DECLARE_PROPERTY_TEXT
 
 private:
@@ -125,25 +121,20 @@ private:
     TObjectPtr<UEnum> Enum;
 };
 
-#define UE_DECLARE_VALUE_PROPERTY(TClass, CppType, CastFlag, bByRef)                                                          \
-    class TClass : public TProperty_WithEquality<CppType, FProperty>                                                          \
-    {                                                                                                                         \
-        typedef TProperty_WithEquality<CppType, FProperty> FBase;                                                             \
-        DECLARE_FIELD(TClass, FBase, CastFlag)                                                                                \
-        virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override             \
-        {                                                                                                                     \
-            return FString(TEXT(#CppType));                                                                                   \
-        }                                                                                                                     \
-        virtual bool PassCPPArgsByRef() const override                                                                        \
-        {                                                                                                                     \
-            return bByRef;                                                                                                    \
-        }                                                                                                                     \
-        virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override;                                \
-                                                                                                                              \
-    protected:                                                                                                                \
-        virtual void LinkInternal() override;                                                                                 \
-        virtual uint32 GetValueTypeHashInternal(const void* Src) const override;                                              \
-        UE_DECLARE_PROPERTY_TEXT                                                                                              \
+#define UE_DECLARE_VALUE_PROPERTY(TClass, CppType, CastFlag, bByRef)                                                   \
+    class TClass : public TProperty_WithEquality<CppType, FProperty> {                                                 \
+        typedef TProperty_WithEquality<CppType, FProperty> FBase;                                                      \
+        DECLARE_FIELD(TClass, FBase, CastFlag)                                                                         \
+        virtual FString GetCPPType(FString* ExtendedTypeText = nullptr, uint32 CPPExportFlags = 0) const override {    \
+            return FString(TEXT(#CppType));                                                                            \
+        }                                                                                                              \
+        virtual bool PassCPPArgsByRef() const override { return bByRef; }                                              \
+        virtual bool Identical(const void* A, const void* B, uint32 PortFlags) const override;                         \
+                                                                                                                       \
+    protected:                                                                                                         \
+        virtual void LinkInternal() override;                                                                          \
+        virtual uint32 GetValueTypeHashInternal(const void* Src) const override;                                       \
+        UE_DECLARE_PROPERTY_TEXT                                                                                       \
     };
 
 /** Strings compare with case, as UE's FStrProperty does. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FReferenceCollector: through it the garbage collector learns of references. In UE it lives in "UObject/UObjectGlobals.h",
-// which includes this file.
+// FReferenceCollector: through it the garbage collector learns of references. In UE it lives in
+// "UObject/UObjectGlobals.h", which includes this file.
 #pragma once
 
 #include "CoreMinimal.h"
@@ -12,23 +12,20 @@ class UStruct;
 struct FWeakObjectPtr;
 
 /** Visitor of object references. Holders call it with the address of each reference; it may null or exchange them. */
-class FReferenceCollector
-{
+class FReferenceCollector {
 public:
     virtual ~FReferenceCollector() = default;
 
     /** Reports one reference. T must be complete (its address is that of its UObject). */
     template <class UObjectType>
-    void AddReferencedObject(
-        UObjectType*& Object, const UObject* ReferencingObject = nullptr, const FProperty* ReferencingProperty = nullptr)
-    {
+    void AddReferencedObject(UObjectType*& Object, const UObject* ReferencingObject = nullptr,
+        const FProperty* ReferencingProperty = nullptr) {
         HandleObjectReference(*reinterpret_cast<UObject**>(const_cast<std::remove_const_t<UObjectType>**>(&Object)),
             ReferencingObject, ReferencingProperty);
     }
     template <class UObjectType>
     void AddReferencedObject(TObjectPtr<UObjectType>& Object, const UObject* ReferencingObject = nullptr,
-        const FProperty* ReferencingProperty = nullptr)
-    {
+        const FProperty* ReferencingProperty = nullptr) {
         HandleObjectReference(reinterpret_cast<UObject*&>(Object), ReferencingObject, ReferencingProperty);
     }
     /** Reports a weak pointer as if it were strong: the object stays alive. */
@@ -37,25 +34,22 @@ public:
 
     template <class ElementType, typename Allocator>
     void AddReferencedObjects(TArray<ElementType, Allocator>& ObjectArray, const UObject* ReferencingObject = nullptr,
-        const FProperty* ReferencingProperty = nullptr)
-    {
+        const FProperty* ReferencingProperty = nullptr) {
         for (auto& Object : ObjectArray) {
             AddReferencedObject(Object, ReferencingObject, ReferencingProperty);
         }
     }
     template <class ElementType, typename KeyFuncs, typename Allocator>
-    void AddReferencedObjects(TSet<ElementType, KeyFuncs, Allocator>& ObjectSet, const UObject* ReferencingObject = nullptr,
-        const FProperty* ReferencingProperty = nullptr)
-    {
+    void AddReferencedObjects(TSet<ElementType, KeyFuncs, Allocator>& ObjectSet,
+        const UObject* ReferencingObject = nullptr, const FProperty* ReferencingProperty = nullptr) {
         for (auto& Object : ObjectSet) {
             AddReferencedObject(const_cast<ElementType&>(Object), ReferencingObject, ReferencingProperty);
         }
     }
     /** Reports those of keys and values that are object references. */
     template <typename KeyType, typename ValueType, typename Allocator, typename KeyFuncs>
-    void AddReferencedObjects(TMap<KeyType, ValueType, Allocator, KeyFuncs>& Map, const UObject* ReferencingObject = nullptr,
-        const FProperty* ReferencingProperty = nullptr)
-    {
+    void AddReferencedObjects(TMap<KeyType, ValueType, Allocator, KeyFuncs>& Map,
+        const UObject* ReferencingObject = nullptr, const FProperty* ReferencingProperty = nullptr) {
         for (auto& Pair : Map) {
             AddIfReference(const_cast<KeyType&>(Pair.Key), ReferencingObject, ReferencingProperty);
             AddIfReference(Pair.Value, ReferencingObject, ReferencingProperty);
@@ -64,13 +58,12 @@ public:
     /** Reports what the reflected properties of a struct value refer to. */
     COREUOBJECT_API void AddPropertyReferences(
         const UStruct* Struct, void* Instance, const UObject* ReferencingObject = nullptr);
-    void AddPropertyReferencesWithStructARO(const UStruct* Struct, void* Instance, const UObject* ReferencingObject = nullptr)
-    {
+    void AddPropertyReferencesWithStructARO(
+        const UStruct* Struct, void* Instance, const UObject* ReferencingObject = nullptr) {
         AddPropertyReferences(Struct, Instance, ReferencingObject);
     }
     template <class UObjectType>
-    void AddStableReference(TObjectPtr<UObjectType>* Object)
-    {
+    void AddStableReference(TObjectPtr<UObjectType>* Object) {
         AddReferencedObject(*Object);
     }
 
@@ -87,8 +80,7 @@ protected:
 
 private:
     template <typename T>
-    void AddIfReference(T& Value, const UObject* ReferencingObject, const FProperty* ReferencingProperty)
-    {
+    void AddIfReference(T& Value, const UObject* ReferencingObject, const FProperty* ReferencingProperty) {
         if constexpr (std::is_pointer_v<T> || TIsTObjectPtr<T>::Value) {
             AddReferencedObject(Value, ReferencingObject, ReferencingProperty);
         }

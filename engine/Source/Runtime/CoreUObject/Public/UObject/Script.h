@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Script basics: function flags and the native function type. Mirrors Epic's "UObject/Script.h" (API page EFunctionFlags).
+// Script basics: function flags and the native function type. Mirrors Epic's "UObject/Script.h" (API page
+// EFunctionFlags).
 #pragma once
 
 #include "CoreMinimal.h"
@@ -8,8 +9,7 @@ class UObject;
 struct FFrame;
 
 /** Flags of a UFunction. Names and values are those of Epic's EFunctionFlags page. */
-enum EFunctionFlags : uint32
-{
+enum EFunctionFlags : uint32 {
     FUNC_None = 0x00000000,
     FUNC_Final = 0x00000001,
     FUNC_RequiredAPI = 0x00000002,
@@ -46,9 +46,13 @@ enum EFunctionFlags : uint32
 ENUM_CLASS_FLAGS(EFunctionFlags)
 
 /** Flags a function takes over from the function it overrides. */
-#define FUNC_FuncInherit ((EFunctionFlags)(FUNC_Exec | FUNC_Event | FUNC_BlueprintCallable | FUNC_BlueprintEvent | FUNC_BlueprintAuthorityOnly | FUNC_BlueprintCosmetic | FUNC_Const))
-#define FUNC_FuncOverrideMatch ((EFunctionFlags)(FUNC_Exec | FUNC_Final | FUNC_Static | FUNC_Public | FUNC_Protected | FUNC_Private))
-#define FUNC_NetFuncFlags ((EFunctionFlags)(FUNC_Net | FUNC_NetReliable | FUNC_NetServer | FUNC_NetClient | FUNC_NetMulticast))
+#define FUNC_FuncInherit                                                                                               \
+    ((EFunctionFlags)(FUNC_Exec | FUNC_Event | FUNC_BlueprintCallable | FUNC_BlueprintEvent |                          \
+                      FUNC_BlueprintAuthorityOnly | FUNC_BlueprintCosmetic | FUNC_Const))
+#define FUNC_FuncOverrideMatch                                                                                         \
+    ((EFunctionFlags)(FUNC_Exec | FUNC_Final | FUNC_Static | FUNC_Public | FUNC_Protected | FUNC_Private))
+#define FUNC_NetFuncFlags                                                                                              \
+    ((EFunctionFlags)(FUNC_Net | FUNC_NetReliable | FUNC_NetServer | FUNC_NetClient | FUNC_NetMulticast))
 #define FUNC_AccessSpecifiers ((EFunctionFlags)(FUNC_Public | FUNC_Private | FUNC_Protected))
 
 /** Name of the result pointer of a native function. */
@@ -56,12 +60,12 @@ ENUM_CLASS_FLAGS(EFunctionFlags)
 /** Declaration of the result pointer of a native function. */
 #define RESULT_DECL void* const RESULT_PARAM
 
-/** A native function as the script interface calls it: context object, frame with the arguments, where to put the result. */
+/** A native function as the script interface calls it: context object, frame with the arguments, where to put the
+ * result. */
 typedef void (*FNativeFuncPtr)(UObject* Context, FFrame& TheStack, RESULT_DECL);
 
 /** A name with its native function; tables of these are registered per class. */
-struct FNameNativePtrPair
-{
+struct FNameNativePtrPair {
     const char* NameUTF8;
     FNativeFuncPtr Pointer;
 };

@@ -1,35 +1,30 @@
 // SPDX-License-Identifier: MIT
-// FScriptInterface and TScriptInterface: an object with the address of one of its interfaces. Mirrors "UObject/ScriptInterface.h".
+// FScriptInterface and TScriptInterface: an object with the address of one of its interfaces. Mirrors
+// "UObject/ScriptInterface.h".
 #pragma once
 
 #include "Templates/Casts.h"
 
 /** Untyped pair of object and interface address; the value of an FInterfaceProperty. */
-class FScriptInterface
-{
+class FScriptInterface {
 public:
     FScriptInterface(UObject* InObjectPointer = nullptr, void* InInterfacePointer = nullptr)
-        : ObjectPointer(InObjectPointer), InterfacePointer(InInterfacePointer)
-    {
-    }
+        : ObjectPointer(InObjectPointer), InterfacePointer(InInterfacePointer) {}
     UObject* GetObject() const { return ObjectPointer; }
     UObject*& GetObjectRef() { return reinterpret_cast<UObject*&>(ObjectPointer); }
     void* GetInterface() const { return ObjectPointer ? InterfacePointer : nullptr; }
-    void SetObject(UObject* InObjectPointer)
-    {
+    void SetObject(UObject* InObjectPointer) {
         ObjectPointer = InObjectPointer;
         if (!InObjectPointer) {
             InterfacePointer = nullptr;
         }
     }
     void SetInterface(void* InInterfacePointer) { InterfacePointer = InInterfacePointer; }
-    bool operator==(const FScriptInterface& Other) const
-    {
+    bool operator==(const FScriptInterface& Other) const {
         return GetInterface() == Other.GetInterface() && ObjectPointer == Other.ObjectPointer;
     }
     bool operator==(const UObject* Other) const { return ObjectPointer.Get() == Other; }
-    friend uint32 GetTypeHash(const FScriptInterface& Instance)
-    {
+    friend uint32 GetTypeHash(const FScriptInterface& Instance) {
         return HashCombine(PointerHash(Instance.InterfacePointer), PointerHash(Instance.ObjectPointer.Get()));
     }
 
@@ -40,8 +35,7 @@ private:
 
 /** Typed form; what UPROPERTYs and parameters hold. */
 template <typename InInterfaceType>
-class TScriptInterface : public FScriptInterface
-{
+class TScriptInterface : public FScriptInterface {
 public:
     using InterfaceType = InInterfaceType;
 
@@ -52,30 +46,25 @@ public:
     /** From an object that may implement the interface, or from an interface pointer. */
     template <typename U>
         requires(std::is_convertible_v<U*, const UObject*> || std::is_convertible_v<U*, InInterfaceType*>)
-    TScriptInterface(U* Source)
-    {
+    TScriptInterface(U* Source) {
         Assign(Source);
     }
     template <typename U>
         requires(std::is_convertible_v<U*, const UObject*>)
-    TScriptInterface(const TObjectPtr<U>& Source)
-    {
+    TScriptInterface(const TObjectPtr<U>& Source) {
         Assign(Source.Get());
     }
     template <typename U>
-    TScriptInterface& operator=(U* Source)
-    {
+    TScriptInterface& operator=(U* Source) {
         Assign(Source);
         return *this;
     }
     template <typename U>
-    TScriptInterface& operator=(const TObjectPtr<U>& Source)
-    {
+    TScriptInterface& operator=(const TObjectPtr<U>& Source) {
         Assign(Source.Get());
         return *this;
     }
-    TScriptInterface& operator=(TYPE_OF_NULLPTR)
-    {
+    TScriptInterface& operator=(TYPE_OF_NULLPTR) {
         SetObject(nullptr);
         return *this;
     }
@@ -90,8 +79,7 @@ public:
 
 private:
     template <typename U>
-    void Assign(U* Source)
-    {
+    void Assign(U* Source) {
         if constexpr (std::is_convertible_v<U*, const UObject*>) {
             UObject* Object = const_cast<UObject*>(static_cast<const UObject*>(Source));
             InInterfaceType* Interface = UE::CoreUObject::Private::CastObject<InInterfaceType>(Object);

@@ -8,8 +8,7 @@
 #include "UObject/SoftObjectPath.h"
 
 /** Untyped soft pointer; the value of an FSoftObjectProperty. */
-struct FSoftObjectPtr : public TPersistentObjectPtr<FSoftObjectPath>
-{
+struct FSoftObjectPtr : public TPersistentObjectPtr<FSoftObjectPath> {
     FSoftObjectPtr() = default;
     FSoftObjectPtr(TYPE_OF_NULLPTR) {}
     explicit FSoftObjectPtr(const FSoftObjectPath& ObjectPath) { *this = ObjectPath; }
@@ -17,8 +16,7 @@ struct FSoftObjectPtr : public TPersistentObjectPtr<FSoftObjectPath>
     using TPersistentObjectPtr<FSoftObjectPath>::operator=;
 
     /** Finds or loads the object. */
-    UObject* LoadSynchronous() const
-    {
+    UObject* LoadSynchronous() const {
         UObject* Object = Get();
         if (!Object && IsPending()) {
             Object = ToSoftObjectPath().TryLoad();
@@ -34,8 +32,7 @@ struct FSoftObjectPtr : public TPersistentObjectPtr<FSoftObjectPath>
 
 /** Typed soft pointer; what UPROPERTYs hold. */
 template <class T = UObject>
-struct TSoftObjectPtr
-{
+struct TSoftObjectPtr {
     using ElementType = T;
 
     TSoftObjectPtr() = default;
@@ -44,36 +41,27 @@ struct TSoftObjectPtr
     TSoftObjectPtr& operator=(const TSoftObjectPtr&) = default;
     template <class U>
         requires(!std::is_same_v<U, T> && std::is_convertible_v<U*, T*>)
-    TSoftObjectPtr(const TSoftObjectPtr<U>& Other) : SoftObjectPtr(Other.GetSoftPtr())
-    {
-    }
+    TSoftObjectPtr(const TSoftObjectPtr<U>& Other) : SoftObjectPtr(Other.GetSoftPtr()) {}
     template <class U>
         requires std::is_convertible_v<U*, const T*>
-    TSoftObjectPtr(U* Object) : SoftObjectPtr((const UObject*)Object)
-    {
-    }
+    TSoftObjectPtr(U* Object) : SoftObjectPtr((const UObject*)Object) {}
     template <class U>
         requires std::is_convertible_v<U*, const T*>
-    TSoftObjectPtr(const TObjectPtr<U>& Object) : SoftObjectPtr((const UObject*)Object.Get())
-    {
-    }
+    TSoftObjectPtr(const TObjectPtr<U>& Object) : SoftObjectPtr((const UObject*)Object.Get()) {}
     explicit TSoftObjectPtr(const FSoftObjectPath& ObjectPath) : SoftObjectPtr(ObjectPath) {}
     explicit TSoftObjectPtr(const FSoftObjectPtr& Other) : SoftObjectPtr(Other) {}
 
     template <class U>
         requires std::is_convertible_v<U*, const T*>
-    TSoftObjectPtr& operator=(U* Object)
-    {
+    TSoftObjectPtr& operator=(U* Object) {
         SoftObjectPtr = (const UObject*)Object;
         return *this;
     }
-    TSoftObjectPtr& operator=(TYPE_OF_NULLPTR)
-    {
+    TSoftObjectPtr& operator=(TYPE_OF_NULLPTR) {
         SoftObjectPtr.Reset();
         return *this;
     }
-    TSoftObjectPtr& operator=(const FSoftObjectPath& ObjectPath)
-    {
+    TSoftObjectPtr& operator=(const FSoftObjectPath& ObjectPath) {
         SoftObjectPtr = ObjectPath;
         return *this;
     }
@@ -96,10 +84,11 @@ struct TSoftObjectPtr
     FString GetAssetName() const { return SoftObjectPtr.GetAssetName(); }
     const FSoftObjectPtr& GetSoftPtr() const { return SoftObjectPtr; }
 
-    friend uint32 GetTypeHash(const TSoftObjectPtr& Ptr) { return GetTypeHash(static_cast<const TPersistentObjectPtr<FSoftObjectPath>&>(Ptr.SoftObjectPtr)); }
+    friend uint32 GetTypeHash(const TSoftObjectPtr& Ptr) {
+        return GetTypeHash(static_cast<const TPersistentObjectPtr<FSoftObjectPath>&>(Ptr.SoftObjectPtr));
+    }
     template <class U>
-    bool operator==(const TSoftObjectPtr<U>& Other) const
-    {
+    bool operator==(const TSoftObjectPtr<U>& Other) const {
         return SoftObjectPtr == Other.GetSoftPtr();
     }
     bool operator==(TYPE_OF_NULLPTR) const { return !IsValid(); }
@@ -110,8 +99,7 @@ private:
 
 /** Typed soft pointer to a class. */
 template <class TClass = UObject>
-class TSoftClassPtr
-{
+class TSoftClassPtr {
 public:
     using ElementType = TClass;
 
@@ -121,24 +109,19 @@ public:
     TSoftClassPtr& operator=(const TSoftClassPtr&) = default;
     template <class U>
         requires(!std::is_same_v<U, TClass> && std::is_convertible_v<U*, TClass*>)
-    TSoftClassPtr(const TSoftClassPtr<U>& Other) : SoftObjectPtr(Other.GetSoftPtr())
-    {
-    }
+    TSoftClassPtr(const TSoftClassPtr<U>& Other) : SoftObjectPtr(Other.GetSoftPtr()) {}
     TSoftClassPtr(const UClass* From) : SoftObjectPtr((const UObject*)From) {}
     explicit TSoftClassPtr(const FSoftObjectPath& ObjectPath) : SoftObjectPtr(ObjectPath) {}
     explicit TSoftClassPtr(const FSoftObjectPtr& Other) : SoftObjectPtr(Other) {}
-    TSoftClassPtr& operator=(const UClass* From)
-    {
+    TSoftClassPtr& operator=(const UClass* From) {
         SoftObjectPtr = (const UObject*)From;
         return *this;
     }
-    TSoftClassPtr& operator=(const FSoftObjectPath& ObjectPath)
-    {
+    TSoftClassPtr& operator=(const FSoftObjectPath& ObjectPath) {
         SoftObjectPtr = ObjectPath;
         return *this;
     }
-    TSoftClassPtr& operator=(TYPE_OF_NULLPTR)
-    {
+    TSoftClassPtr& operator=(TYPE_OF_NULLPTR) {
         SoftObjectPtr.Reset();
         return *this;
     }
@@ -159,28 +142,26 @@ public:
     FString GetLongPackageName() const { return SoftObjectPtr.GetLongPackageName(); }
     FString GetAssetName() const { return SoftObjectPtr.GetAssetName(); }
     const FSoftObjectPtr& GetSoftPtr() const { return SoftObjectPtr; }
-    friend uint32 GetTypeHash(const TSoftClassPtr& Ptr) { return GetTypeHash(static_cast<const TPersistentObjectPtr<FSoftObjectPath>&>(Ptr.SoftObjectPtr)); }
+    friend uint32 GetTypeHash(const TSoftClassPtr& Ptr) {
+        return GetTypeHash(static_cast<const TPersistentObjectPtr<FSoftObjectPath>&>(Ptr.SoftObjectPtr));
+    }
     template <class U>
-    bool operator==(const TSoftClassPtr<U>& Other) const
-    {
+    bool operator==(const TSoftClassPtr<U>& Other) const {
         return SoftObjectPtr == Other.GetSoftPtr();
     }
 
 private:
-    static UClass* Check(UObject* Object)
-    {
+    static UClass* Check(UObject* Object) {
         return UE::CoreUObject::Private::AsChildClass(Object, std::remove_const_t<TClass>::StaticClass());
     }
     FSoftObjectPtr SoftObjectPtr;
 };
 
 template <class T>
-struct TIsSoftObjectPointerType
-{
+struct TIsSoftObjectPointerType {
     static constexpr bool Value = false;
 };
 template <class T>
-struct TIsSoftObjectPointerType<TSoftObjectPtr<T>>
-{
+struct TIsSoftObjectPointerType<TSoftObjectPtr<T>> {
     static constexpr bool Value = true;
 };

@@ -4,16 +4,14 @@
 
 #include "UObject/WeakObjectPtrTemplates.h"
 
-namespace UE::CoreUObject::Private
-{
+namespace UE::CoreUObject::Private {
 COREUOBJECT_API void AddStrongReference(const UObject* Object);
 COREUOBJECT_API void ReleaseStrongReference(const UObject* Object);
-}
+} // namespace UE::CoreUObject::Private
 
 /** Owning pointer for code that is not reflected; counted in the object table. */
 template <typename T>
-class TStrongObjectPtr
-{
+class TStrongObjectPtr {
 public:
     using ElementType = T;
 
@@ -22,26 +20,22 @@ public:
     explicit TStrongObjectPtr(T* InObject) { Set(InObject); }
     template <typename U>
         requires std::is_convertible_v<U*, T*>
-    explicit TStrongObjectPtr(const TObjectPtr<U>& InObject)
-    {
+    explicit TStrongObjectPtr(const TObjectPtr<U>& InObject) {
         Set(InObject.Get());
     }
     TStrongObjectPtr(const TStrongObjectPtr& Other) { Set(Other.Object); }
     TStrongObjectPtr(TStrongObjectPtr&& Other) : Object(Other.Object) { Other.Object = nullptr; }
     template <typename U>
         requires std::is_convertible_v<U*, T*>
-    TStrongObjectPtr(const TStrongObjectPtr<U>& Other)
-    {
+    TStrongObjectPtr(const TStrongObjectPtr<U>& Other) {
         Set(Other.Get());
     }
     ~TStrongObjectPtr() { Reset(); }
-    TStrongObjectPtr& operator=(const TStrongObjectPtr& Other)
-    {
+    TStrongObjectPtr& operator=(const TStrongObjectPtr& Other) {
         Reset(Other.Object);
         return *this;
     }
-    TStrongObjectPtr& operator=(TStrongObjectPtr&& Other)
-    {
+    TStrongObjectPtr& operator=(TStrongObjectPtr&& Other) {
         if (this != &Other) {
             Reset();
             Object = Other.Object;
@@ -50,8 +44,7 @@ public:
         return *this;
     }
     void Reset() { Reset(nullptr); }
-    void Reset(T* NewObject)
-    {
+    void Reset(T* NewObject) {
         T* const Old = Object;
         Set(NewObject);
         if (Old) {
@@ -64,8 +57,7 @@ public:
     explicit operator bool() const { return Object != nullptr; }
     bool IsValid() const { return Object != nullptr; }
     template <typename U>
-    bool operator==(const TStrongObjectPtr<U>& Other) const
-    {
+    bool operator==(const TStrongObjectPtr<U>& Other) const {
         return Object == Other.Get();
     }
     bool operator==(const T* Other) const { return Object == Other; }
@@ -73,8 +65,7 @@ public:
     friend uint32 GetTypeHash(const TStrongObjectPtr& Ptr) { return PointerHash(Ptr.Object); }
 
 private:
-    void Set(T* NewObject)
-    {
+    void Set(T* NewObject) {
         Object = NewObject;
         if (Object) {
             UE::CoreUObject::Private::AddStrongReference((const UObject*)Object);

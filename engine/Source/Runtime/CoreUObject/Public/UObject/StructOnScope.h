@@ -5,8 +5,7 @@
 #include "UObject/Class.h"
 
 /** Owns (or refers to) one value of a UStruct, for instance a function's parameter block. */
-class FStructOnScope
-{
+class FStructOnScope {
 public:
     FStructOnScope() = default;
     /** Allocates and initialises a value. */
@@ -14,8 +13,7 @@ public:
     /** Refers to memory owned by somebody else. */
     FStructOnScope(const UStruct* InScriptStruct, uint8* InData) : ScriptStruct(InScriptStruct), Memory(InData) {}
     FStructOnScope(FStructOnScope&& Other) { *this = MoveTemp(Other); }
-    FStructOnScope& operator=(FStructOnScope&& Other)
-    {
+    FStructOnScope& operator=(FStructOnScope&& Other) {
         if (this != &Other) {
             Destroy();
             ScriptStruct = Other.ScriptStruct;
@@ -36,8 +34,7 @@ public:
     const UStruct* GetStruct() const { return ScriptStruct; }
     bool IsValid() const { return ScriptStruct && Memory; }
     bool OwnsStructMemory() const { return bOwnsMemory; }
-    virtual void Destroy()
-    {
+    virtual void Destroy() {
         if (bOwnsMemory) {
             ScriptStruct->DestroyStruct(Memory);
             FMemory::Free(Memory);
@@ -45,20 +42,18 @@ public:
         bOwnsMemory = false;
         Memory = nullptr;
     }
-    void Initialize(const UStruct* InScriptStruct)
-    {
+    void Initialize(const UStruct* InScriptStruct) {
         Destroy();
         ScriptStruct = InScriptStruct;
         Initialize();
     }
 
 private:
-    void Initialize()
-    {
+    void Initialize() {
         if (ScriptStruct) {
             const int32 Size = ScriptStruct->GetStructureSize();
-            Memory = static_cast<uint8*>(
-                FMemory::MallocZeroed(static_cast<SIZE_T>(Size > 0 ? Size : 1), static_cast<uint32>(ScriptStruct->GetMinAlignment())));
+            Memory = static_cast<uint8*>(FMemory::MallocZeroed(
+                static_cast<SIZE_T>(Size > 0 ? Size : 1), static_cast<uint32>(ScriptStruct->GetMinAlignment())));
             ScriptStruct->InitializeStruct(Memory);
             bOwnsMemory = true;
         }

@@ -11,10 +11,8 @@ class UObject;
 
 /** What a USTRUCT's C++ type can do; specialise TStructOpsTypeTraits to change it. */
 template <class CPPSTRUCT>
-struct TStructOpsTypeTraitsBase2
-{
-    enum
-    {
+struct TStructOpsTypeTraitsBase2 {
+    enum {
         WithZeroConstructor = false,
         WithNoInitConstructor = false,
         WithNoDestructor = false,
@@ -40,13 +38,10 @@ struct TStructOpsTypeTraitsBase2
     };
 };
 template <class CPPSTRUCT>
-struct TStructOpsTypeTraits : public TStructOpsTypeTraitsBase2<CPPSTRUCT>
-{
-};
+struct TStructOpsTypeTraits : public TStructOpsTypeTraitsBase2<CPPSTRUCT> {};
 
 /** Type-erased operations of a struct. */
-struct ICppStructOps
-{
+struct ICppStructOps {
     ICppStructOps(int32 InSize, int32 InAlignment) : Size(InSize), Alignment(InAlignment) {}
     virtual ~ICppStructOps() = default;
 
@@ -71,7 +66,8 @@ struct ICppStructOps
     virtual bool ExportTextItem(FString& ValueStr, const void* PropertyValue, const void* DefaultValue, UObject* Parent,
         int32 PortFlags, UObject* ExportRootScope) = 0;
     virtual bool HasImportTextItem() const = 0;
-    virtual bool ImportTextItem(const TCHAR*& Buffer, void* Data, int32 PortFlags, UObject* OwnerObject, FOutputDevice* ErrorText) = 0;
+    virtual bool ImportTextItem(
+        const TCHAR*& Buffer, void* Data, int32 PortFlags, UObject* OwnerObject, FOutputDevice* ErrorText) = 0;
     virtual bool HasAddStructReferencedObjects() const = 0;
     virtual void AddStructReferencedObjects(void* Value, FReferenceCollector& Collector) = 0;
     virtual bool HasGetTypeHash() const = 0;
@@ -86,18 +82,18 @@ private:
 
 /** ICppStructOps of one type. */
 template <class CPPSTRUCT>
-struct TCppStructOps final : public ICppStructOps
-{
+struct TCppStructOps final : public ICppStructOps {
     typedef TStructOpsTypeTraits<CPPSTRUCT> TTraits;
-    static constexpr bool bPlainOldData = std::is_trivially_copyable_v<CPPSTRUCT> && std::is_trivially_destructible_v<CPPSTRUCT>;
+    static constexpr bool bPlainOldData =
+        std::is_trivially_copyable_v<CPPSTRUCT> && std::is_trivially_destructible_v<CPPSTRUCT>;
     static constexpr bool bHasDestructor = !TTraits::WithNoDestructor && !std::is_trivially_destructible_v<CPPSTRUCT>;
     static constexpr bool bHasTypeHash = requires(const CPPSTRUCT& Value) { GetTypeHash(Value); };
 
     TCppStructOps() : ICppStructOps(sizeof(CPPSTRUCT), alignof(CPPSTRUCT)) {}
 
-    virtual EStructFlags GetComputedStructFlags() const override
-    {
-        return (bPlainOldData ? STRUCT_IsPlainOldData : STRUCT_NoFlags) | (!bHasDestructor ? STRUCT_NoDestructor : STRUCT_NoFlags) |
+    virtual EStructFlags GetComputedStructFlags() const override {
+        return (bPlainOldData ? STRUCT_IsPlainOldData : STRUCT_NoFlags) |
+               (!bHasDestructor ? STRUCT_NoDestructor : STRUCT_NoFlags) |
                (TTraits::WithZeroConstructor ? STRUCT_ZeroConstructor : STRUCT_NoFlags) |
                (TTraits::WithCopy ? STRUCT_CopyNative : STRUCT_NoFlags) |
                (HasIdentical() ? STRUCT_IdenticalNative : STRUCT_NoFlags) |
@@ -106,21 +102,20 @@ struct TCppStructOps final : public ICppStructOps
                (TTraits::WithAddStructReferencedObjects ? STRUCT_AddStructReferencedObjects : STRUCT_NoFlags) |
                (TTraits::WithNetSerializer ? STRUCT_NetSerializeNative : STRUCT_NoFlags) |
                (TTraits::WithNetDeltaSerializer ? STRUCT_NetDeltaSerializeNative : STRUCT_NoFlags) |
-               (TTraits::WithSerializer || TTraits::WithStructuredSerializer ? STRUCT_SerializeNative : STRUCT_NoFlags) |
+               (TTraits::WithSerializer || TTraits::WithStructuredSerializer ? STRUCT_SerializeNative
+                                                                             : STRUCT_NoFlags) |
                (TTraits::WithPostSerialize ? STRUCT_PostSerializeNative : STRUCT_NoFlags) |
                (TTraits::WithPostScriptConstruct ? STRUCT_PostScriptConstruct : STRUCT_NoFlags) |
                (TTraits::WithNetSharedSerialization ? STRUCT_NetSharedSerialization : STRUCT_NoFlags);
     }
-    virtual EPropertyFlags GetComputedPropertyFlags() const override
-    {
+    virtual EPropertyFlags GetComputedPropertyFlags() const override {
         return (bPlainOldData ? CPF_IsPlainOldData : CPF_None) | (!bHasDestructor ? CPF_NoDestructor : CPF_None) |
                (TTraits::WithZeroConstructor ? CPF_ZeroConstructor : CPF_None) |
                (bHasTypeHash ? CPF_HasGetValueTypeHash : CPF_None);
     }
     virtual bool HasNoopConstructor() const override { return false; }
     virtual bool HasZeroConstructor() const override { return TTraits::WithZeroConstructor; }
-    virtual void Construct(void* Dest) override
-    {
+    virtual void Construct(void* Dest) override {
         if constexpr (TTraits::WithZeroConstructor) {
             FMemory::Memzero(Dest, sizeof(CPPSTRUCT));
         } else if constexpr (TTraits::WithNoInitConstructor) {
@@ -132,15 +127,13 @@ struct TCppStructOps final : public ICppStructOps
         }
     }
     virtual bool HasDestructor() const override { return bHasDestructor; }
-    virtual void Destruct(void* Dest) override
-    {
+    virtual void Destruct(void* Dest) override {
         if constexpr (bHasDestructor) {
             static_cast<CPPSTRUCT*>(Dest)->~CPPSTRUCT();
         }
     }
     virtual bool IsPlainOldData() const override { return bPlainOldData; }
-    virtual bool Copy(void* Dest, void const* Src, int32 ArrayDim) override
-    {
+    virtual bool Copy(void* Dest, void const* Src, int32 ArrayDim) override {
         if constexpr (TTraits::WithCopy) {
             for (int32 Index = 0; Index < ArrayDim; ++Index) {
                 static_cast<CPPSTRUCT*>(Dest)[Index] = static_cast<const CPPSTRUCT*>(Src)[Index];
@@ -151,8 +144,7 @@ struct TCppStructOps final : public ICppStructOps
         }
     }
     virtual bool HasIdentical() const override { return TTraits::WithIdentical || TTraits::WithIdenticalViaEquality; }
-    virtual bool Identical(const void* A, const void* B, uint32 PortFlags, bool& bOutResult) override
-    {
+    virtual bool Identical(const void* A, const void* B, uint32 PortFlags, bool& bOutResult) override {
         if constexpr (TTraits::WithIdentical) {
             bOutResult = static_cast<const CPPSTRUCT*>(A)->Identical(static_cast<const CPPSTRUCT*>(B), PortFlags);
             return true;
@@ -165,21 +157,19 @@ struct TCppStructOps final : public ICppStructOps
     }
     virtual bool HasExportTextItem() const override { return TTraits::WithExportTextItem; }
     virtual bool ExportTextItem(FString& ValueStr, const void* PropertyValue, const void* DefaultValue, UObject* Parent,
-        int32 PortFlags, UObject* ExportRootScope) override
-    {
+        int32 PortFlags, UObject* ExportRootScope) override {
         if constexpr (TTraits::WithExportTextItem) {
             const CPPSTRUCT Default{};
             return static_cast<const CPPSTRUCT*>(PropertyValue)
-                ->ExportTextItem(ValueStr, DefaultValue ? *static_cast<const CPPSTRUCT*>(DefaultValue) : Default, Parent,
-                    PortFlags, ExportRootScope);
+                ->ExportTextItem(ValueStr, DefaultValue ? *static_cast<const CPPSTRUCT*>(DefaultValue) : Default,
+                    Parent, PortFlags, ExportRootScope);
         } else {
             return false;
         }
     }
     virtual bool HasImportTextItem() const override { return TTraits::WithImportTextItem; }
     virtual bool ImportTextItem(
-        const TCHAR*& Buffer, void* Data, int32 PortFlags, UObject* OwnerObject, FOutputDevice* ErrorText) override
-    {
+        const TCHAR*& Buffer, void* Data, int32 PortFlags, UObject* OwnerObject, FOutputDevice* ErrorText) override {
         if constexpr (TTraits::WithImportTextItem) {
             return static_cast<CPPSTRUCT*>(Data)->ImportTextItem(Buffer, PortFlags, OwnerObject, ErrorText);
         } else {
@@ -187,15 +177,13 @@ struct TCppStructOps final : public ICppStructOps
         }
     }
     virtual bool HasAddStructReferencedObjects() const override { return TTraits::WithAddStructReferencedObjects; }
-    virtual void AddStructReferencedObjects(void* Value, FReferenceCollector& Collector) override
-    {
+    virtual void AddStructReferencedObjects(void* Value, FReferenceCollector& Collector) override {
         if constexpr (TTraits::WithAddStructReferencedObjects) {
             static_cast<CPPSTRUCT*>(Value)->AddStructReferencedObjects(Collector);
         }
     }
     virtual bool HasGetTypeHash() const override { return bHasTypeHash; }
-    virtual uint32 GetStructTypeHash(const void* Src) override
-    {
+    virtual uint32 GetStructTypeHash(const void* Src) override {
         if constexpr (bHasTypeHash) {
             return GetTypeHash(*static_cast<const CPPSTRUCT*>(Src));
         } else {
@@ -203,8 +191,7 @@ struct TCppStructOps final : public ICppStructOps
         }
     }
     virtual bool HasPostScriptConstruct() const override { return TTraits::WithPostScriptConstruct; }
-    virtual void PostScriptConstruct(void* Data) override
-    {
+    virtual void PostScriptConstruct(void* Data) override {
         if constexpr (TTraits::WithPostScriptConstruct) {
             static_cast<CPPSTRUCT*>(Data)->PostScriptConstruct();
         }

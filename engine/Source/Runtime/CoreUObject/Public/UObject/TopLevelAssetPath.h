@@ -7,8 +7,7 @@
 class UObject;
 
 /** "/Package/Path.Asset" as two names. */
-struct FTopLevelAssetPath
-{
+struct FTopLevelAssetPath {
     FTopLevelAssetPath() = default;
     FTopLevelAssetPath(TYPE_OF_NULLPTR) {}
     FTopLevelAssetPath(FName InPackageName, FName InAssetName) : PackageName(InPackageName), AssetName(InAssetName) {}
@@ -19,8 +18,7 @@ struct FTopLevelAssetPath
 
     /** Parses "/Package" or "/Package.Asset"; false and empty for anything else. */
     COREUOBJECT_API bool TrySetPath(const FString& Path);
-    bool TrySetPath(FName InPackageName, FName InAssetName)
-    {
+    bool TrySetPath(FName InPackageName, FName InAssetName) {
         PackageName = InPackageName;
         AssetName = InAssetName;
         return IsValid();
@@ -32,12 +30,10 @@ struct FTopLevelAssetPath
     bool IsValid() const { return !PackageName.IsNone(); }
     bool IsNull() const { return PackageName.IsNone(); }
     void Reset() { *this = FTopLevelAssetPath(); }
-    bool operator==(const FTopLevelAssetPath& Other) const
-    {
+    bool operator==(const FTopLevelAssetPath& Other) const {
         return PackageName == Other.PackageName && AssetName == Other.AssetName;
     }
-    friend uint32 GetTypeHash(const FTopLevelAssetPath& Path)
-    {
+    friend uint32 GetTypeHash(const FTopLevelAssetPath& Path) {
         return HashCombineFast(GetTypeHash(Path.PackageName), GetTypeHash(Path.AssetName));
     }
 

@@ -5,8 +5,7 @@
 #include "UObject/UObjectBase.h"
 
 /** One slot of the object table. */
-struct FUObjectItem
-{
+struct FUObjectItem {
     /** The object, null while the slot is free. */
     UObjectBase* Object = nullptr;
     /** EInternalObjectFlags. */
@@ -28,11 +27,10 @@ struct FUObjectItem
 };
 
 /**
- * All objects of the process, by index. Slots never move; an index is given to a new object only after the collection that
- * destroyed its former one, and with a new serial number, so that weak pointers can tell them apart.
+ * All objects of the process, by index. Slots never move; an index is given to a new object only after the collection
+ * that destroyed its former one, and with a new serial number, so that weak pointers can tell them apart.
  */
-class FUObjectArray
-{
+class FUObjectArray {
 public:
     constexpr FUObjectArray() = default;
 
@@ -43,17 +41,17 @@ public:
 
     FORCEINLINE int32 ObjectToIndex(const UObjectBase* Object) const { return Object->InternalIndex; }
     /** The slot, or null for an index that was never used. */
-    FORCEINLINE FUObjectItem* IndexToObject(int32 Index)
-    {
+    FORCEINLINE FUObjectItem* IndexToObject(int32 Index) {
         return Index >= 0 && Index < NumSlots ? &Chunks[Index / SlotsPerChunk][Index % SlotsPerChunk] : nullptr;
     }
-    FORCEINLINE FUObjectItem* ObjectToObjectItem(const UObjectBase* Object) { return IndexToObject(Object->InternalIndex); }
+    FORCEINLINE FUObjectItem* ObjectToObjectItem(const UObjectBase* Object) {
+        return IndexToObject(Object->InternalIndex);
+    }
     /** The slot if it holds an object that is not unreachable (nor garbage, unless bEvenIfGarbage). */
     COREUOBJECT_API FUObjectItem* IndexToObject(int32 Index, bool bEvenIfGarbage);
     /** Serial number of a slot, given out now if it had none. */
     COREUOBJECT_API int32 AllocateSerialNumber(int32 Index);
-    FORCEINLINE int32 GetSerialNumber(int32 Index)
-    {
+    FORCEINLINE int32 GetSerialNumber(int32 Index) {
         const FUObjectItem* Item = IndexToObject(Index);
         return Item ? Item->SerialNumber : 0;
     }
@@ -71,7 +69,8 @@ private:
     FUObjectItem* Chunks[MaxChunks] = {};
     int32 NumSlots = 0;
     int32 NumFree = 0;
-    /** Head of the list of free slots, linked through RefCount. The table outlives all static destructors: it is never freed. */
+    /** Head of the list of free slots, linked through RefCount. The table outlives all static destructors: it is never
+     * freed. */
     int32 FirstFree = INDEX_NONE;
 };
 

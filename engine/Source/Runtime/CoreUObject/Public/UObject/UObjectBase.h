@@ -6,8 +6,7 @@
 #include "UObject/ObjectMacros.h"
 
 /** Low level implementation of UObject; not for direct use in game code. */
-class UObjectBase
-{
+class UObjectBase {
 public:
     COREUOBJECT_API virtual ~UObjectBase();
 

@@ -10,15 +10,16 @@
 #define SUBOBJECT_DELIMITER TEXT(":")
 #define SUBOBJECT_DELIMITER_CHAR ':'
 
-class UObjectBaseUtility : public UObjectBase
-{
+class UObjectBaseUtility : public UObjectBase {
 public:
     // ---- flags
 
     FORCEINLINE void SetFlags(EObjectFlags NewFlags) { AtomicallySetFlags(NewFlags); }
     FORCEINLINE void ClearFlags(EObjectFlags FlagsToClear) { AtomicallyClearFlags(FlagsToClear); }
     FORCEINLINE bool HasAnyFlags(EObjectFlags FlagsToCheck) const { return (GetFlags() & FlagsToCheck) != 0; }
-    FORCEINLINE bool HasAllFlags(EObjectFlags FlagsToCheck) const { return (GetFlags() & FlagsToCheck) == FlagsToCheck; }
+    FORCEINLINE bool HasAllFlags(EObjectFlags FlagsToCheck) const {
+        return (GetFlags() & FlagsToCheck) == FlagsToCheck;
+    }
     FORCEINLINE EObjectFlags GetMaskedFlags(EObjectFlags Mask = RF_AllFlags) const { return GetFlags() & Mask; }
 
     COREUOBJECT_API EInternalObjectFlags GetInternalFlags() const;
@@ -43,7 +44,8 @@ public:
 
     COREUOBJECT_API FString GetName() const;
     COREUOBJECT_API void GetName(FString& ResultString) const;
-    /** "Class /Package.Object:Sub": class name and path; with FullPackageName flag off the whole path is used anyway. */
+    /** "Class /Package.Object:Sub": class name and path; with FullPackageName flag off the whole path is used anyway.
+     */
     COREUOBJECT_API FString GetFullName(const UObject* StopOuter = nullptr) const;
     COREUOBJECT_API void GetFullName(FString& ResultString, const UObject* StopOuter = nullptr) const;
     /** "/Package.Object:Sub.SubSub", relative to StopOuter when given. */
@@ -61,8 +63,7 @@ public:
     /** Nearest outer of class Target. */
     COREUOBJECT_API UObject* GetTypedOuter(UClass* Target) const;
     template <typename T>
-    T* GetTypedOuter() const
-    {
+    T* GetTypedOuter() const {
         return static_cast<T*>(GetTypedOuter(T::StaticClass()));
     }
     /** True if SomeOuter is one of the outers. */
@@ -77,13 +78,11 @@ public:
 
     COREUOBJECT_API bool IsA(const UClass* SomeBase) const;
     template <class T>
-    bool IsA() const
-    {
+    bool IsA() const {
         return IsA(T::StaticClass());
     }
     template <typename OtherClassType>
-    bool IsA(OtherClassType SomeBase) const
-    {
+    bool IsA(OtherClassType SomeBase) const {
         return IsA(static_cast<const UClass*>(SomeBase));
     }
     /** Nearest class that both objects share. */
@@ -92,8 +91,7 @@ public:
     COREUOBJECT_API void* GetInterfaceAddress(UClass* InterfaceClass);
     /** As GetInterfaceAddress, only for interfaces implemented in C++. */
     COREUOBJECT_API void* GetNativeInterfaceAddress(UClass* InterfaceClass);
-    const void* GetNativeInterfaceAddress(UClass* InterfaceClass) const
-    {
+    const void* GetNativeInterfaceAddress(UClass* InterfaceClass) const {
         return const_cast<UObjectBaseUtility*>(this)->GetNativeInterfaceAddress(InterfaceClass);
     }
     /** A default subobject of a class default object or archetype, or an instance of one. */

@@ -35,19 +35,12 @@ typedef uint32 ERenameFlags;
 #define REN_AllowPackageLinkerMismatch (0x0200)
 
 /** How a copy of an object is made; see UObject::PostDuplicate. */
-namespace EDuplicateMode
-{
-enum Type
-{
-    Normal,
-    World,
-    PIE
-};
+namespace EDuplicateMode {
+enum Type { Normal, World, PIE };
 }
 
 /** What FindFirstObject does when a short name is ambiguous. */
-enum class EFindFirstObjectOptions
-{
+enum class EFindFirstObjectOptions {
     None = 0,
     ExactClass = 1 << 0,
     NativeFirst = 1 << 1,
@@ -59,8 +52,7 @@ ENUM_CLASS_FLAGS(EFindFirstObjectOptions)
 // Construction
 
 /** Everything StaticConstructObject_Internal needs. */
-struct FStaticConstructObjectParameters
-{
+struct FStaticConstructObjectParameters {
     const UClass* Class;
     UObject* Outer = nullptr;
     FName Name;
@@ -79,11 +71,9 @@ struct FStaticConstructObjectParameters
 COREUOBJECT_API UObject* StaticConstructObject_Internal(const FStaticConstructObjectParameters& Params);
 
 /** Maps instanced subobjects of a template to the ones of its copy. */
-struct FObjectInstancingGraph
-{
+struct FObjectInstancingGraph {
     FObjectInstancingGraph() = default;
-    explicit FObjectInstancingGraph(UObject* DestinationSubobjectRoot, UObject* SourceSubobjectRoot)
-    {
+    explicit FObjectInstancingGraph(UObject* DestinationSubobjectRoot, UObject* SourceSubobjectRoot) {
         SetDestinationRoot(DestinationSubobjectRoot, SourceSubobjectRoot);
     }
     COREUOBJECT_API void SetDestinationRoot(UObject* DestinationSubobjectRoot, UObject* InSourceRoot = nullptr);
@@ -104,8 +94,7 @@ private:
  * Passed to constructors: creates and overrides default subobjects, and finishes the object (properties, subobjects,
  * PostInitProperties) when it goes out of scope. Only the object system makes one.
  */
-class FObjectInitializer
-{
+class FObjectInitializer {
 public:
     COREUOBJECT_API FObjectInitializer(UObject* InObj, const FStaticConstructObjectParameters& Params);
     COREUOBJECT_API ~FObjectInitializer();
@@ -122,22 +111,19 @@ public:
     COREUOBJECT_API UObject* CreateDefaultSubobject(UObject* Outer, FName SubobjectFName, const UClass* ReturnType,
         const UClass* ClassToCreateByDefault, bool bIsRequired = true, bool bIsTransient = false) const;
     template <class TReturnType, class TClassToConstructByDefault = TReturnType>
-    TReturnType* CreateDefaultSubobject(UObject* Outer, FName SubobjectName, bool bTransient = false) const
-    {
-        return static_cast<TReturnType*>(CreateDefaultSubobject(
-            Outer, SubobjectName, TReturnType::StaticClass(), TClassToConstructByDefault::StaticClass(), true, bTransient));
+    TReturnType* CreateDefaultSubobject(UObject* Outer, FName SubobjectName, bool bTransient = false) const {
+        return static_cast<TReturnType*>(CreateDefaultSubobject(Outer, SubobjectName, TReturnType::StaticClass(),
+            TClassToConstructByDefault::StaticClass(), true, bTransient));
     }
     template <class TReturnType>
-    TReturnType* CreateOptionalDefaultSubobject(UObject* Outer, FName SubobjectName, bool bTransient = false) const
-    {
+    TReturnType* CreateOptionalDefaultSubobject(UObject* Outer, FName SubobjectName, bool bTransient = false) const {
         return static_cast<TReturnType*>(CreateDefaultSubobject(
             Outer, SubobjectName, TReturnType::StaticClass(), TReturnType::StaticClass(), false, bTransient));
     }
     /** Makes a base class's constructor create T instead of its own choice. Call in the initialiser list. */
     COREUOBJECT_API const FObjectInitializer& SetDefaultSubobjectClass(FName SubobjectName, const UClass* Class) const;
     template <class T>
-    const FObjectInitializer& SetDefaultSubobjectClass(FName SubobjectName) const
-    {
+    const FObjectInitializer& SetDefaultSubobjectClass(FName SubobjectName) const {
         return SetDefaultSubobjectClass(SubobjectName, T::StaticClass());
     }
     /** Keeps a base class's constructor from creating an optional subobject. */
@@ -146,14 +132,12 @@ public:
     void FinalizeSubobjectClassInitialization() const { bSubclassOverridesAllowed = false; }
 
 private:
-    struct FOverride
-    {
+    struct FOverride {
         FName Name;
         /** Null: do not create. */
         const UClass* Class;
     };
-    struct FSubobjectInit
-    {
+    struct FSubobjectInit {
         UObject* Subobject;
         UObject* Template;
     };
@@ -175,14 +159,13 @@ private:
 };
 
 /**
- * Creates an object. Name none makes a unique one; an existing object of the same name and outer is replaced (destroyed in place
- * and its name taken over). Fatal for abstract classes.
+ * Creates an object. Name none makes a unique one; an existing object of the same name and outer is replaced (destroyed
+ * in place and its name taken over). Fatal for abstract classes.
  */
 template <class T>
 T* NewObject(UObject* Outer, const UClass* Class, FName Name = NAME_None, EObjectFlags Flags = RF_NoFlags,
-    UObject* Template = nullptr, bool bCopyTransientsFromClassDefaults = false, FObjectInstancingGraph* InInstanceGraph = nullptr,
-    UPackage* ExternalPackage = nullptr)
-{
+    UObject* Template = nullptr, bool bCopyTransientsFromClassDefaults = false,
+    FObjectInstancingGraph* InInstanceGraph = nullptr, UPackage* ExternalPackage = nullptr) {
     FStaticConstructObjectParameters Params(Class);
     Params.Outer = Outer;
     Params.Name = Name;
@@ -194,16 +177,14 @@ T* NewObject(UObject* Outer, const UClass* Class, FName Name = NAME_None, EObjec
     return static_cast<T*>(StaticConstructObject_Internal(Params));
 }
 template <class T>
-T* NewObject(UObject* Outer = GetTransientPackageAsObject())
-{
+T* NewObject(UObject* Outer = GetTransientPackageAsObject()) {
     FStaticConstructObjectParameters Params(T::StaticClass());
     Params.Outer = Outer;
     return static_cast<T*>(StaticConstructObject_Internal(Params));
 }
 template <class T>
 T* NewObject(UObject* Outer, FName Name, EObjectFlags Flags = RF_NoFlags, UObject* Template = nullptr,
-    bool bCopyTransientsFromClassDefaults = false, FObjectInstancingGraph* InInstanceGraph = nullptr)
-{
+    bool bCopyTransientsFromClassDefaults = false, FObjectInstancingGraph* InInstanceGraph = nullptr) {
     FStaticConstructObjectParameters Params(T::StaticClass());
     Params.Outer = Outer;
     Params.Name = Name;
@@ -215,20 +196,19 @@ T* NewObject(UObject* Outer, FName Name, EObjectFlags Flags = RF_NoFlags, UObjec
 }
 
 /** Copies an object with its subobjects below a new outer. */
-COREUOBJECT_API UObject* StaticDuplicateObject(UObject const* SourceObject, UObject* DestOuter, const FName DestName = NAME_None,
-    EObjectFlags FlagMask = RF_AllFlags, UClass* DestClass = nullptr, EDuplicateMode::Type DuplicateMode = EDuplicateMode::Normal);
-namespace UE::CoreUObject::Private
-{
-COREUOBJECT_API UObject* DuplicateObject(const UClass* Class, const UObject* SourceObject, UObject* Outer, FName NewName);
+COREUOBJECT_API UObject* StaticDuplicateObject(UObject const* SourceObject, UObject* DestOuter,
+    const FName DestName = NAME_None, EObjectFlags FlagMask = RF_AllFlags, UClass* DestClass = nullptr,
+    EDuplicateMode::Type DuplicateMode = EDuplicateMode::Normal);
+namespace UE::CoreUObject::Private {
+COREUOBJECT_API UObject* DuplicateObject(
+    const UClass* Class, const UObject* SourceObject, UObject* Outer, FName NewName);
 }
 template <typename T>
-T* DuplicateObject(T const* SourceObject, UObject* Outer, const FName Name = NAME_None)
-{
+T* DuplicateObject(T const* SourceObject, UObject* Outer, const FName Name = NAME_None) {
     return static_cast<T*>(UE::CoreUObject::Private::DuplicateObject(T::StaticClass(), SourceObject, Outer, Name));
 }
 template <typename T>
-T* DuplicateObject(const TObjectPtr<T>& SourceObject, UObject* Outer, const FName Name = NAME_None)
-{
+T* DuplicateObject(const TObjectPtr<T>& SourceObject, UObject* Outer, const FName Name = NAME_None) {
     return DuplicateObject<T>(SourceObject.Get(), Outer, Name);
 }
 
@@ -242,55 +222,51 @@ COREUOBJECT_API FName MakeUniqueObjectName(UObject* Parent, const UClass* Class,
 COREUOBJECT_API UObject* StaticFindObjectFast(UClass* Class, UObject* InOuter, FName InName, bool bExactClass = false,
     EObjectFlags ExclusiveFlags = RF_NoFlags, EInternalObjectFlags ExclusiveInternalFlags = EInternalObjectFlags::None);
 COREUOBJECT_API UObject* StaticFindObject(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass = false);
-COREUOBJECT_API UObject* StaticFindObjectChecked(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass = false);
+COREUOBJECT_API UObject* StaticFindObjectChecked(
+    UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass = false);
 /** As StaticFindObject, quiet about calls at unsafe times. */
-COREUOBJECT_API UObject* StaticFindObjectSafe(UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass = false);
+COREUOBJECT_API UObject* StaticFindObjectSafe(
+    UClass* Class, UObject* InOuter, const TCHAR* Name, bool bExactClass = false);
 /** First object of that short name (or path) anywhere. */
 COREUOBJECT_API UObject* StaticFindFirstObject(
     UClass* Class, const TCHAR* Name, EFindFirstObjectOptions Options = EFindFirstObjectOptions::None);
-/** Finds the object in memory, else asks the registered content loaders (UObject/ContentLoader.h). Null if nobody has it. */
-COREUOBJECT_API UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name, const TCHAR* Filename = nullptr,
-    uint32 LoadFlags = LOAD_None, UPackageMap* Sandbox = nullptr, bool bAllowObjectReconciliation = true,
-    const FLinkerInstancingContext* InstancingContext = nullptr);
-COREUOBJECT_API UClass* StaticLoadClass(UClass* BaseClass, UObject* InOuter, const TCHAR* Name, const TCHAR* Filename = nullptr,
-    uint32 LoadFlags = LOAD_None, UPackageMap* Sandbox = nullptr);
+/** Finds the object in memory, else asks the registered content loaders (UObject/ContentLoader.h). Null if nobody has
+ * it. */
+COREUOBJECT_API UObject* StaticLoadObject(UClass* Class, UObject* InOuter, const TCHAR* Name,
+    const TCHAR* Filename = nullptr, uint32 LoadFlags = LOAD_None, UPackageMap* Sandbox = nullptr,
+    bool bAllowObjectReconciliation = true, const FLinkerInstancingContext* InstancingContext = nullptr);
+COREUOBJECT_API UClass* StaticLoadClass(UClass* BaseClass, UObject* InOuter, const TCHAR* Name,
+    const TCHAR* Filename = nullptr, uint32 LoadFlags = LOAD_None, UPackageMap* Sandbox = nullptr);
 
 template <class T>
-T* FindObject(UObject* Outer, const TCHAR* Name, bool ExactClass = false)
-{
+T* FindObject(UObject* Outer, const TCHAR* Name, bool ExactClass = false) {
     return static_cast<T*>(StaticFindObject(T::StaticClass(), Outer, Name, ExactClass));
 }
 template <class T>
-T* FindObjectFast(UObject* Outer, FName Name, bool ExactClass = false, EObjectFlags ExclusiveFlags = RF_NoFlags)
-{
+T* FindObjectFast(UObject* Outer, FName Name, bool ExactClass = false, EObjectFlags ExclusiveFlags = RF_NoFlags) {
     return static_cast<T*>(StaticFindObjectFast(T::StaticClass(), Outer, Name, ExactClass, ExclusiveFlags));
 }
 template <class T>
-T* FindObjectChecked(UObject* Outer, const TCHAR* Name, bool ExactClass = false)
-{
+T* FindObjectChecked(UObject* Outer, const TCHAR* Name, bool ExactClass = false) {
     return static_cast<T*>(StaticFindObjectChecked(T::StaticClass(), Outer, Name, ExactClass));
 }
 template <class T>
-T* FindObjectSafe(UObject* Outer, const TCHAR* Name, bool ExactClass = false)
-{
+T* FindObjectSafe(UObject* Outer, const TCHAR* Name, bool ExactClass = false) {
     return static_cast<T*>(StaticFindObjectSafe(T::StaticClass(), Outer, Name, ExactClass));
 }
 template <class T>
-T* FindFirstObject(const TCHAR* Name, EFindFirstObjectOptions Options = EFindFirstObjectOptions::None)
-{
+T* FindFirstObject(const TCHAR* Name, EFindFirstObjectOptions Options = EFindFirstObjectOptions::None) {
     return static_cast<T*>(StaticFindFirstObject(T::StaticClass(), Name, Options));
 }
 template <class T>
 T* LoadObject(UObject* Outer, const TCHAR* Name, const TCHAR* Filename = nullptr, uint32 LoadFlags = LOAD_None,
-    UPackageMap* Sandbox = nullptr, const FLinkerInstancingContext* InstancingContext = nullptr)
-{
+    UPackageMap* Sandbox = nullptr, const FLinkerInstancingContext* InstancingContext = nullptr) {
     return static_cast<T*>(
         StaticLoadObject(T::StaticClass(), Outer, Name, Filename, LoadFlags, Sandbox, true, InstancingContext));
 }
 template <class T>
 UClass* LoadClass(UObject* Outer, const TCHAR* Name, const TCHAR* Filename = nullptr, uint32 LoadFlags = LOAD_None,
-    UPackageMap* Sandbox = nullptr)
-{
+    UPackageMap* Sandbox = nullptr) {
     return StaticLoadClass(T::StaticClass(), Outer, Name, Filename, LoadFlags, Sandbox);
 }
 /** Package in memory by name. */
@@ -300,8 +276,8 @@ COREUOBJECT_API UPackage* CreatePackage(const TCHAR* PackageName);
 /** Package in memory, or one that a content loader makes. */
 COREUOBJECT_API UPackage* LoadPackage(UPackage* InOuter, const TCHAR* InLongPackageName, uint32 LoadFlags);
 /**
- * Walks down a path: on return InName is the last part and InPackage its outer. False if a part is missing (with Create set,
- * packages are created).
+ * Walks down a path: on return InName is the last part and InPackage its outer. False if a part is missing (with Create
+ * set, packages are created).
  */
 COREUOBJECT_API bool ResolveName(UObject*& InPackage, FString& InOutName, bool Create, bool Throw,
     uint32 LoadFlags = LOAD_None, const FLinkerInstancingContext* InstancingContext = nullptr);
@@ -315,23 +291,19 @@ COREUOBJECT_API void FlushAsyncLoading(int32 RequestId = INDEX_NONE);
 
 /** The class default object, read-only. */
 template <class T>
-const T* GetDefault()
-{
+const T* GetDefault() {
     return static_cast<const T*>(T::StaticClass()->GetDefaultObject());
 }
 template <class T>
-T* GetMutableDefault()
-{
+T* GetMutableDefault() {
     return static_cast<T*>(T::StaticClass()->GetDefaultObject());
 }
 template <class T, typename ClassType = UClass>
-const T* GetDefault(const ClassType* Class)
-{
+const T* GetDefault(const ClassType* Class) {
     return static_cast<const T*>(Class->GetDefaultObject());
 }
 template <class T, typename ClassType = UClass>
-T* GetMutableDefault(const ClassType* Class)
-{
+T* GetMutableDefault(const ClassType* Class) {
     return static_cast<T*>(Class->GetDefaultObject());
 }
 
@@ -350,8 +322,7 @@ COREUOBJECT_API bool IsGarbageCollecting();
 COREUOBJECT_API bool IsInConstructor();
 
 /** Delegates of the object system. */
-struct FCoreUObjectDelegates
-{
+struct FCoreUObjectDelegates {
     /** Before reachability analysis. */
     static COREUOBJECT_API FSimpleMulticastDelegate& GetPreGarbageCollectDelegate();
     /** After the collection; destroyed objects' memory may still await the purge. */
@@ -368,7 +339,8 @@ struct FCoreUObjectDelegates
     static COREUOBJECT_API FPreLoadMapDelegate PreLoadMap;
     DECLARE_MULTICAST_DELEGATE_OneParam(FPostLoadMapDelegate, class UWorld* /*LoadedWorld*/);
     static COREUOBJECT_API FPostLoadMapDelegate PostLoadMapWithWorld;
-    /** After packages, enums, structs, classes of newly loaded modules exist and before their class default objects do. */
+    /** After packages, enums, structs, classes of newly loaded modules exist and before their class default objects do.
+     */
     DECLARE_MULTICAST_DELEGATE_OneParam(FCompiledInUObjectsRegisteredDelegate, FName /*Package*/);
     static COREUOBJECT_API FCompiledInUObjectsRegisteredDelegate CompiledInUObjectsRegisteredDelegate;
 };

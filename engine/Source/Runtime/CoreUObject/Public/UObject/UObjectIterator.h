@@ -6,15 +6,13 @@
 #include "UObject/UObjectHash.h"
 
 /** Walks the whole object table, unreachable objects left out. Objects made while it runs may or may not be visited. */
-class FThreadSafeObjectIterator
-{
+class FThreadSafeObjectIterator {
 public:
     explicit FThreadSafeObjectIterator(UClass* InClass = UObject::StaticClass(), bool bOnlyGCedObjects = false,
         EObjectFlags AdditionalExclusionFlags = RF_ClassDefaultObject,
         EInternalObjectFlags InInternalExclusionFlags = EInternalObjectFlags::None)
         : Class(InClass), ExclusionFlags(AdditionalExclusionFlags),
-          InternalExclusionFlags(InInternalExclusionFlags | EInternalObjectFlags::Unreachable)
-    {
+          InternalExclusionFlags(InInternalExclusionFlags | EInternalObjectFlags::Unreachable) {
         Advance();
     }
     void operator++() { Advance(); }
@@ -25,8 +23,7 @@ public:
     bool operator==(const FThreadSafeObjectIterator& Other) const { return Object == Other.Object; }
 
 protected:
-    void Advance()
-    {
+    void Advance() {
         Object = nullptr;
         while (++Index < GUObjectArray.GetObjectArrayNum()) {
             FUObjectItem* Item = GUObjectArray.IndexToObject(Index);
@@ -52,12 +49,11 @@ using FRawObjectIterator = FThreadSafeObjectIterator;
 
 /** All objects of class T (class default objects left out). `TObjectIterator<UClass>` walks all classes. */
 template <class T>
-class TObjectIterator
-{
+class TObjectIterator {
 public:
-    explicit TObjectIterator(EObjectFlags AdditionalExclusionFlags = RF_ClassDefaultObject, bool bIncludeDerivedClasses = true,
-        EInternalObjectFlags InInternalExclusionFlags = EInternalObjectFlags::None)
-    {
+    explicit TObjectIterator(EObjectFlags AdditionalExclusionFlags = RF_ClassDefaultObject,
+        bool bIncludeDerivedClasses = true,
+        EInternalObjectFlags InInternalExclusionFlags = EInternalObjectFlags::None) {
         GetObjectsOfClass(T::StaticClass(), Objects, bIncludeDerivedClasses, AdditionalExclusionFlags,
             InInternalExclusionFlags | EInternalObjectFlags::Unreachable);
         Weak.Reserve(Objects.Num());
@@ -68,22 +64,19 @@ public:
     }
     explicit operator bool() const { return Index < Objects.Num(); }
     bool operator!() const { return !static_cast<bool>(*this); }
-    void operator++()
-    {
+    void operator++() {
         ++Index;
         SkipDead();
     }
     T* operator*() const { return static_cast<T*>(Objects[Index]); }
     T* operator->() const { return static_cast<T*>(Objects[Index]); }
-    bool operator==(const TObjectIterator& Other) const
-    {
+    bool operator==(const TObjectIterator& Other) const {
         return static_cast<bool>(*this) == static_cast<bool>(Other) && (!*this || **this == *Other);
     }
 
 private:
     /** Objects may be destroyed while the walk is under way. */
-    void SkipDead()
-    {
+    void SkipDead() {
         while (Index < Objects.Num() && !Weak[Index].Get(true)) {
             ++Index;
         }
@@ -95,18 +88,12 @@ private:
 
 /** Range-for over TObjectIterator. */
 template <class T>
-struct TObjectRange
-{
-    explicit TObjectRange(EObjectFlags AdditionalExclusionFlags = RF_ClassDefaultObject, bool bIncludeDerivedClasses = true,
-        EInternalObjectFlags InInternalExclusionFlags = EInternalObjectFlags::None)
-        : Iterator(AdditionalExclusionFlags, bIncludeDerivedClasses, InInternalExclusionFlags)
-    {
-    }
-    struct FEnd
-    {
-    };
-    struct FIterator
-    {
+struct TObjectRange {
+    explicit TObjectRange(EObjectFlags AdditionalExclusionFlags = RF_ClassDefaultObject,
+        bool bIncludeDerivedClasses = true, EInternalObjectFlags InInternalExclusionFlags = EInternalObjectFlags::None)
+        : Iterator(AdditionalExclusionFlags, bIncludeDerivedClasses, InInternalExclusionFlags) {}
+    struct FEnd {};
+    struct FIterator {
         TObjectIterator<T>& It;
         T* operator*() const { return *It; }
         void operator++() { ++It; }

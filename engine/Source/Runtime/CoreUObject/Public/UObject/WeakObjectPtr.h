@@ -7,22 +7,19 @@
 #include "UObject/WeakObjectPtrTemplatesFwd.h"
 
 /** A pointer that turns null when its object becomes garbage, unreachable, or dies. Does not keep the object alive. */
-struct FWeakObjectPtr
-{
+struct FWeakObjectPtr {
     FWeakObjectPtr() = default;
     FWeakObjectPtr(TYPE_OF_NULLPTR) {}
     template <typename U>
         requires std::is_convertible_v<U, const UObject*>
-    FWeakObjectPtr(U Object)
-    {
+    FWeakObjectPtr(U Object) {
         *this = static_cast<const UObject*>(Object);
     }
     FWeakObjectPtr(const FWeakObjectPtr&) = default;
     FWeakObjectPtr& operator=(const FWeakObjectPtr&) = default;
     COREUOBJECT_API void operator=(const UObject* Object);
     template <typename U>
-    void operator=(const TObjectPtr<U>& Object)
-    {
+    void operator=(const TObjectPtr<U>& Object) {
         *this = static_cast<const UObject*>(Object.Get());
     }
 
@@ -37,18 +34,15 @@ struct FWeakObjectPtr
     COREUOBJECT_API bool IsStale(bool bIncludingGarbage = true, bool bThreadsafeTest = false) const;
     /** True if it was never set or was set to null. */
     bool IsExplicitlyNull() const { return ObjectIndex == INDEX_NONE || ObjectSerialNumber == 0; }
-    void Reset()
-    {
+    void Reset() {
         ObjectIndex = INDEX_NONE;
         ObjectSerialNumber = 0;
     }
-    bool HasSameIndexAndSerialNumber(const FWeakObjectPtr& Other) const
-    {
+    bool HasSameIndexAndSerialNumber(const FWeakObjectPtr& Other) const {
         return ObjectIndex == Other.ObjectIndex && ObjectSerialNumber == Other.ObjectSerialNumber;
     }
     /** Equal if both point to the same live object or both to none. */
-    bool operator==(const FWeakObjectPtr& Other) const
-    {
+    bool operator==(const FWeakObjectPtr& Other) const {
         return HasSameIndexAndSerialNumber(Other) || (!IsValid() && !Other.IsValid());
     }
     uint32 GetTypeHash() const { return static_cast<uint32>(ObjectIndex ^ ObjectSerialNumber); }

@@ -10,7 +10,7 @@ FTickFunction::FTickFunction()
     : TickGroup(TG_PrePhysics), EndTickGroup(TG_PrePhysics), bTickEvenWhenPaused(false), bCanEverTick(false),
       bStartWithTickEnabled(false), bAllowTickOnDedicatedServer(true), bHighPriority(false), bRegistered(false),
       bTickEnabled(true), TickInterval(0.f), Manager(nullptr), ManagerIndex(INDEX_NONE), QueuedFrame(0),
-      ExecutedFrame(0), CooldownSeconds(0.0), LastTickGameTimeSeconds(-1.0), TimeSinceLastTick(0.f),
+      ExecutedFrame(0), CooldownSeconds(0.0), LastTickGameTimeSeconds(-1.0), TimeSinceLastTick(-1.f),
       ActualStartTickGroup(TG_PrePhysics) {}
 
 FTickFunction::FTickFunction(const FTickFunction& Other) : FTickFunction() { *this = Other; }
@@ -47,7 +47,7 @@ void FTickFunction::SetTickFunctionEnable(bool bInEnabled) {
     bTickEnabled = bInEnabled;
     if (bInEnabled && !bWasEnabled) {
         CooldownSeconds = 0.0;
-        TimeSinceLastTick = 0.f;
+        TimeSinceLastTick = -1.f;
         if (bRegistered) {
             Manager->NotifyEnabled(*this);
         }
@@ -56,6 +56,7 @@ void FTickFunction::SetTickFunctionEnable(bool bInEnabled) {
 
 void FTickFunction::UpdateTickIntervalAndCoolDown(float NewTickInterval) {
     TickInterval = NewTickInterval;
+    TimeSinceLastTick = FMath::Max(TimeSinceLastTick, 0.f);
     CooldownSeconds = FMath::Max(0.0, static_cast<double>(NewTickInterval) - static_cast<double>(TimeSinceLastTick));
 }
 

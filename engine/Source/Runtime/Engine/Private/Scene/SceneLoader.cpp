@@ -208,7 +208,9 @@ private:
         TArray<AActor*> Actors;
         const auto Undo = [this, &Actors] {
             for (AActor* Actor : Actors) {
+                // A destroyed actor keeps its name until it is collected; another attempt shall not meet it.
                 World->DestroyActor(Actor);
+                Actor->Rename(nullptr, nullptr, REN_DontCreateRedirectors | REN_DoNotDirty | REN_ForceNoResetLoaders);
             }
             return false;
         };

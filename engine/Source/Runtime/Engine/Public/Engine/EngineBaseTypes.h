@@ -231,7 +231,7 @@ private:
     /** Seconds until an interval tick is due. */
     double CooldownSeconds;
     double LastTickGameTimeSeconds;
-    /** Time that passed since the last tick of an interval tick. */
+    /** Time that passed since the last tick of an interval tick; negative before its first. */
     float TimeSinceLastTick;
     TEnumAsByte<ETickingGroup> ActualStartTickGroup;
 };
