@@ -13,7 +13,7 @@ def build_directory() -> Path | None:
     named = os.environ.get("SPEAR_BUILD_DIR")
     if named:
         return Path(named)
-    beside = Path(__file__).resolve().parent.parent.parent
+    beside = Path(__file__).absolute().parent.parent.parent  # not resolved: the build tree holds links
     return beside if (beside / "bin" / "spear-engine").exists() else None
 
 

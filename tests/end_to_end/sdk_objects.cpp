@@ -51,8 +51,6 @@ struct spear::Members<EyesViewPoint> {
     static constexpr auto list = std::tuple{
         Member{"OutLocation", &EyesViewPoint::OutLocation}, Member{"OutRotation", &EyesViewPoint::OutRotation}};
 };
-}
-;
 
 TEST_CASE("spawning, finding, destroying") {
     Client client;

@@ -85,6 +85,21 @@ TEST_CASE("Core: TArray keeps an element that is added from itself") {
     CHECK(a.Num() == 0);
 }
 
+TEST_CASE("Core: references to added elements are into the new memory") {
+    TArray<int32> a;
+    for (int32 i = 0; i < 200; i += 4) {
+        a.Add_GetRef(-1) = i;
+        a.AddDefaulted_GetRef() = i + 1;
+        a.AddZeroed_GetRef() = i + 2;
+        a.Emplace_GetRef(-1) = i + 3;
+    }
+    bool all = true;
+    for (int32 i = 0; i < 200; ++i) {
+        all = all && a[i] == i;
+    }
+    CHECK(all);
+}
+
 TEST_CASE("Core: TArray destroys exactly what it made") {
     {
         TArray<Counted> a;
@@ -259,12 +274,15 @@ TEST_CASE("Core: FScriptArray sees a TArray") {
 
 TEST_CASE("Core: FScriptMap and FScriptSet see TMap and TSet") {
     const auto hash_int = [](const void* key) { return GetTypeHash(*static_cast<const int32*>(key)); };
-    const auto same_int = [](const void* a, const void* b) { return *static_cast<const int32*>(a) == *static_cast<const int32*>(b); };
+    const auto same_int = [](const void* a, const void* b) {
+        return *static_cast<const int32*>(a) == *static_cast<const int32*>(b);
+    };
 
     TMap<int32, double> m;
     m.Add(1, 1.5);
     FScriptMap& script = reinterpret_cast<FScriptMap&>(m);
-    const FScriptMapLayout layout = FScriptMap::GetScriptLayout(sizeof(int32), alignof(int32), sizeof(double), alignof(double));
+    const FScriptMapLayout layout =
+        FScriptMap::GetScriptLayout(sizeof(int32), alignof(int32), sizeof(double), alignof(double));
     using Pair = TPair<int32, double>;
     CHECK(layout.ValueOffset == static_cast<int32>(offsetof(Pair, Value)));
     CHECK(layout.SetLayout.Size == static_cast<int32>(sizeof(TSetElement<TPair<int32, double>>)));
@@ -290,7 +308,9 @@ TEST_CASE("Core: FScriptMap and FScriptSet see TMap and TSet") {
     FScriptSet& script_set = reinterpret_cast<FScriptSet&>(s);
     const FScriptSetLayout set_layout = FScriptSet::GetScriptLayout(sizeof(int32), alignof(int32));
     for (int32 value = 0; value < 20; ++value) {
-        script_set.Add(&value, set_layout, hash_int, same_int, [&](void* slot) { *static_cast<int32*>(slot) = value; }, [](void*) {});
+        script_set.Add(
+            &value, set_layout, hash_int, same_int, [&](void* slot) { *static_cast<int32*>(slot) = value; },
+            [](void*) {});
     }
     CHECK(s.Num() == 20);
     CHECK(s.Contains(19));
@@ -358,7 +378,8 @@ TEST_CASE("Core: shared, weak and unique pointers, functions") {
         CHECK(weak.Pin() == nullptr);
         CHECK(Counted::alive == 0);
         TUniquePtr<Counted> unique = MakeUnique<Counted>(1);
-        TFunction<int(int)> function = [&unique, big = TArray<int32>{1, 2, 3}](int x) { return x + unique->value + big.Num(); };
+        TFunction<int(int)> function = [&unique, big = TArray<int32>{1, 2, 3}](
+                                           int x) { return x + unique->value + big.Num(); };
         TFunction<int(int)> copy = function;
         TFunctionRef<int(int)> reference = copy;
         CHECK(copy(10) == 14);
@@ -372,7 +393,10 @@ TEST_CASE("Core: shared, weak and unique pointers, functions") {
     CHECK(self->AsShared() == self);
     int deleted = 0;
     {
-        TSharedPtr<int> custom = MakeShareable(new int(3), [&deleted](int* p) { ++deleted; delete p; });
+        TSharedPtr<int> custom = MakeShareable(new int(3), [&deleted](int* p) {
+            ++deleted;
+            delete p;
+        });
         TSharedPtr<int> copy = custom;
     }
     CHECK(deleted == 1);

@@ -22,9 +22,8 @@ struct SharedListener : Listener, TSharedFromThis<SharedListener> {};
 int32 static_calls = 0;
 void on_static(int32 value) { static_calls += value; }
 
-DECLARE_DELEGATE_RetVal_OneParam(int32, FIntDelegate, int32)
-DECLARE_MULTICAST_DELEGATE_OneParam(FIntEvent, int32)
-DECLARE_MULTICAST_DELEGATE_OneParam(FTextEvent, const FString&)
+DECLARE_DELEGATE_RetVal_OneParam(int32, FIntDelegate, int32) DECLARE_MULTICAST_DELEGATE_OneParam(FIntEvent, int32)
+    DECLARE_MULTICAST_DELEGATE_OneParam(FTextEvent, const FString&)
 } // namespace
 
 TEST_CASE("Core: single delegates") {
@@ -179,7 +178,8 @@ TEST_CASE("Core: console variables over variables, commands with arguments") {
 
     TArray<FString> got;
     FAutoConsoleCommandWithWorldAndArgs command(TEXT("coretest.Command"), TEXT("help"),
-        FConsoleCommandWithWorldAndArgsDelegate::CreateLambda([&](const TArray<FString>& args, UWorld*) { got = args; }));
+        FConsoleCommandWithWorldAndArgsDelegate::CreateLambda(
+            [&](const TArray<FString>& args, UWorld*) { got = args; }));
     CHECK(console.ProcessUserConsoleInput(TEXT("coretest.Command one \"two three\" 4"), out, nullptr));
     REQUIRE(got.Num() == 3);
     CHECK(text(got[1]) == "two three");

@@ -15,14 +15,16 @@ TEST_CASE("Core: rotators turn as UE's do") {
     CHECK(near(FRotator(30, 40, 0).Vector(), FRotator(30, 40, 0).RotateVector(x)));
     CHECK_MESSAGE((FVector(1, 0, 0) ^ FVector(0, 1, 0)) == z, "the cross product of X and Y is Z");
     // Roll, then pitch, then yaw.
-    const FQuat separate = FRotator(0, 30, 0).Quaternion() * FRotator(20, 0, 0).Quaternion() * FRotator(0, 0, 10).Quaternion();
+    const FQuat separate =
+        FRotator(0, 30, 0).Quaternion() * FRotator(20, 0, 0).Quaternion() * FRotator(0, 0, 10).Quaternion();
     CHECK(separate.Equals(FRotator(20, 30, 10).Quaternion(), 1e-12));
 }
 
 TEST_CASE("Core: rotator, quaternion and matrix say the same") {
     FRandomStream random(7);
     for (int i = 0; i < 500; ++i) {
-        const FRotator r(random.FRandRange(-89.0, 89.0), random.FRandRange(-180.0, 180.0), random.FRandRange(-180.0, 180.0));
+        const FRotator r(
+            random.FRandRange(-89.0, 89.0), random.FRandRange(-180.0, 180.0), random.FRandRange(-180.0, 180.0));
         const FQuat q = r.Quaternion();
         const FVector v = random.GetUnitVector();
         CHECK(near(q.Rotator(), r));
@@ -108,10 +110,12 @@ TEST_CASE("Core: quaternions") {
     const FQuat q(FVector(0, 0, 1), UE_DOUBLE_HALF_PI);
     CHECK(near(q.RotateVector(FVector(1, 0, 0)), FVector(0, 1, 0), 1e-7));
     const FQuat pitch = FRotator(90, 0, 0).Quaternion();
-    CHECK_MESSAGE(near((q * pitch).RotateVector(FVector(1, 0, 0)), q.RotateVector(pitch.RotateVector(FVector(1, 0, 0)))),
+    CHECK_MESSAGE(
+        near((q * pitch).RotateVector(FVector(1, 0, 0)), q.RotateVector(pitch.RotateVector(FVector(1, 0, 0)))),
         "A * B turns by B first");
     CHECK(near(FQuat::Slerp(FQuat::Identity, q, 0.5).Rotator(), FRotator(0, 45, 0)));
-    CHECK(near(FQuat::FindBetweenVectors(FVector(1, 0, 0), FVector(0, 5, 0)).RotateVector(FVector(1, 0, 0)), FVector(0, 1, 0)));
+    CHECK(near(FQuat::FindBetweenVectors(FVector(1, 0, 0), FVector(0, 5, 0)).RotateVector(FVector(1, 0, 0)),
+        FVector(0, 1, 0)));
     const FQuat half = FQuat::FindBetweenVectors(FVector(1, 0, 0), FVector(-1, 0, 0));
     CHECK(near(half.RotateVector(FVector(1, 0, 0)), FVector(-1, 0, 0)));
     CHECK(near(FQuat::Identity.AngularDistance(q), UE_DOUBLE_HALF_PI, 1e-7));

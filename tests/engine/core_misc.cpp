@@ -59,7 +59,8 @@ TEST_CASE("Core: GUIDs") {
     const FGuid known(0x01234567, 0x89abcdef, 0xfedcba98, 0x76543210);
     CHECK(text(known.ToString()) == "0123456789ABCDEFFEDCBA9876543210");
     CHECK(text(known.ToString(EGuidFormats::DigitsWithHyphens)) == "01234567-89AB-CDEF-FEDC-BA9876543210");
-    for (const EGuidFormats format : {EGuidFormats::Digits, EGuidFormats::DigitsWithHyphens, EGuidFormats::DigitsWithHyphensInBraces}) {
+    for (const EGuidFormats format :
+        {EGuidFormats::Digits, EGuidFormats::DigitsWithHyphens, EGuidFormats::DigitsWithHyphensInBraces}) {
         FGuid parsed;
         CHECK(FGuid::Parse(known.ToString(format), parsed));
         CHECK(parsed == known);
@@ -84,8 +85,8 @@ TEST_CASE("Core: paths") {
 }
 
 TEST_CASE("Core: files") {
-    const FString directory =
-        FString(FPlatformProcess::UserTempDir()) / FString::Printf(TEXT("spear_core_test_%u"), FPlatformProcess::GetCurrentProcessId());
+    const FString directory = FString(FPlatformProcess::UserTempDir()) /
+                              FString::Printf(TEXT("spear_core_test_%u"), FPlatformProcess::GetCurrentProcessId());
     IFileManager& files = IFileManager::Get();
     REQUIRE(files.MakeDirectory(*(directory / TEXT("sub")), true));
     ON_SCOPE_EXIT { IFileManager::Get().DeleteDirectory(*directory, false, true); };

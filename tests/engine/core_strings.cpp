@@ -19,8 +19,8 @@ TEST_CASE("Core: FString compares without case, Equals with") {
 TEST_CASE("Core: FString::Printf") {
     CHECK(text(FString::Printf(TEXT("%s %d %5.2f|%-4d|%04x %c %%"), TEXT("ä"), -3, 1.005, 7, 255, TCHAR('q'))) ==
           "ä -3  1.00|7   |00ff q %");
-    CHECK(text(FString::Printf(TEXT("%lld %llu %hs %S %5s|%-5s|%.2s"), 1ll << 40, ~0ull, "ansi", "narrow", TEXT("ab"), TEXT("cd"),
-              TEXT("efgh"))) == "1099511627776 18446744073709551615 ansi narrow    ab|cd   |ef");
+    CHECK(text(FString::Printf(TEXT("%lld %llu %hs %S %5s|%-5s|%.2s"), 1ll << 40, ~0ull, "ansi", "narrow", TEXT("ab"),
+              TEXT("cd"), TEXT("efgh"))) == "1099511627776 18446744073709551615 ansi narrow    ab|cd   |ef");
     CHECK(text(FString::Printf(TEXT("%*d"), 5, 42)) == "   42");
     const FString long_text = FString::ChrN(5000, TCHAR('x'));
     CHECK(FString::Printf(TEXT("<%s>"), *long_text).Len() == 5002);
@@ -104,7 +104,7 @@ TEST_CASE("Core: FString::Format") {
 }
 
 TEST_CASE("Core: encodings") {
-    const char* utf8 = "z\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80";  // z, a-umlaut, euro, an emoji
+    const char* utf8 = "z\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80"; // z, a-umlaut, euro, an emoji
     const FString s = UTF8_TO_TCHAR(utf8);
     CHECK(s.Len() == 5);
     CHECK(text(s) == utf8);

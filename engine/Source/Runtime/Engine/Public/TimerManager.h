@@ -215,5 +215,4 @@ private:
     double InternalTime;
     /** Frame in which Tick ran last. */
     uint64 LastTickedFrame;
-    UGameInstance* OwningGameInstance;
 };

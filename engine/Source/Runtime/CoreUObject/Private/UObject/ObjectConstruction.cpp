@@ -229,9 +229,12 @@ UObject* FObjectInstancingGraph::GetDestinationObject(UObject* SourceObject) con
 
 void FObjectProperty::InstanceSubobjects(
     void* Data, void const*, UObject* InOwner, FObjectInstancingGraph* InstanceGraph) {
-    if (!InstanceGraph || HasAnyPropertyFlags(CPF_Transient | CPF_DuplicateTransient)) {
+    if (!InstanceGraph) {
         return;
     }
+    // Transient references are led to existing counterparts too, but make no new objects.
+    const bool bMayCreate = HasAnyPropertyFlags(CPF_InstancedReference | CPF_PersistentInstance) &&
+                            !HasAnyPropertyFlags(CPF_Transient | CPF_DuplicateTransient);
     for (int32 Index = 0; Index < ArrayDim; ++Index) {
         void* Address = static_cast<uint8*>(Data) + Index * ElementSize;
         UObject* Value = GetObjectPropertyValue(Address);
@@ -251,7 +254,7 @@ void FObjectProperty::InstanceSubobjects(
         UObject* const ValueOuter = InstanceGraph->GetDestinationObject(Value->GetOuter());
         UObject* const NewOuter = ValueOuter ? ValueOuter : Destination;
         UObject* Instance = StaticFindObjectFast(Value->GetClass(), NewOuter, Value->GetFName());
-        if (!Instance && HasAnyPropertyFlags(CPF_InstancedReference | CPF_PersistentInstance)) {
+        if (!Instance && bMayCreate) {
             FStaticConstructObjectParameters Params(Value->GetClass());
             Params.Outer = NewOuter;
             Params.Name =

@@ -2,6 +2,8 @@
 // The reflected types: UField, UStruct, UFunction, UScriptStruct, UEnum, UClass. Mirrors Epic's "UObject/Class.h".
 #pragma once
 
+#include <string_view>
+
 #include "CoreMinimal.h"
 #include "Templates/SubclassOf.h"
 #include "UObject/Field.h"

@@ -4,6 +4,8 @@
 
 #include "UObject/WeakObjectPtr.h"
 
+COREUOBJECT_API bool IsValid(const UObject* Test);
+
 /** Resolves an id (soft path, GUID) to an object and caches it weakly. */
 template <class TObjectID>
 struct TPersistentObjectPtr {
@@ -64,5 +66,3 @@ protected:
     mutable FWeakObjectPtr WeakPtr;
     TObjectID ObjectID;
 };
-
-COREUOBJECT_API bool IsValid(const UObject* Test);

@@ -2,6 +2,7 @@
 // Weak pointers: an index into the object table and a serial number. Mirrors Epic's "UObject/WeakObjectPtr.h".
 #pragma once
 
+#include "UObject/ObjectPtr.h"
 #include "UObject/UObjectArray.h"
 #include "UObject/UObjectBase.h"
 #include "UObject/WeakObjectPtrTemplatesFwd.h"
