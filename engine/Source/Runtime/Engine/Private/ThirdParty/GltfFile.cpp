@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -412,7 +413,8 @@ FNode ReadNode(const tinygltf::Model& Model, const tinygltf::Node& Source, const
     Result.Camera = Check(Source.camera, Model.cameras.size(), "camera");
     const auto Punctual = Source.extensions.find("KHR_lights_punctual");
     if (Punctual != Source.extensions.end()) {
-        Result.Light = Check(static_cast<int>(Number(Punctual->second, "light", -1.0)), Model.lights.size(), "light");
+        const double Light = Number(Punctual->second, "light", -1.0);
+        Result.Light = Check(static_cast<int>(std::clamp(Light, -1.0, 1e9)), Model.lights.size(), "light");
     }
     return Result;
 }
@@ -508,13 +510,66 @@ bool KeepEncoded(tinygltf::Image* Image, const int, std::string*, std::string*, 
     return true;
 }
 
+/** tinygltf walks nested values by recursion: this bounds its stack. */
+constexpr int MaxNesting = 200;
+
+void CheckNesting(const char* Text, std::size_t Size) {
+    int Depth = 0;
+    bool bString = false;
+    for (std::size_t Index = 0; Index < Size; ++Index) {
+        const char Character = Text[Index];
+        if (bString) {
+            Index += Character == '\\' ? 1 : 0;
+            bString = Character != '"';
+        } else if (Character == '"') {
+            bString = true;
+        } else if (Character == '[' || Character == '{') {
+            if (++Depth > MaxNesting) {
+                Fail("its JSON is nested more than " + std::to_string(MaxNesting) + " levels deep");
+            }
+        } else if (Character == ']' || Character == '}') {
+            --Depth;
+        }
+    }
+}
+
+std::vector<char> ReadFile(const std::string& Path) {
+    std::ifstream Stream(Path, std::ios::binary | std::ios::ate);
+    const std::streamoff Size = Stream ? static_cast<std::streamoff>(Stream.tellg()) : -1;
+    if (Size < 0 || Size > std::numeric_limits<std::int32_t>::max()) {
+        Fail(Size < 0 ? "the file cannot be opened" : "the file is larger than 2 GB");
+    }
+    std::vector<char> Bytes(static_cast<std::size_t>(Size));
+    Stream.seekg(0);
+    if (!Stream.read(Bytes.data(), Size)) {
+        Fail("the file cannot be read");
+    }
+    return Bytes;
+}
+
 void Parse(const std::string& Path, tinygltf::Model& Model) {
     tinygltf::TinyGLTF Loader;
     Loader.SetImageLoader(&KeepEncoded, nullptr);
     std::string Error;
     std::string Warning;
-    const bool bBinary = Path.size() > 4 && Path.compare(Path.size() - 4, 4, ".glb") == 0;
-    const bool bRead = bBinary ? Loader.LoadBinaryFromFile(&Model, &Error, &Warning, Path) : Loader.LoadASCIIFromFile(&Model, &Error, &Warning, Path);
+    const std::vector<char> Bytes = ReadFile(Path);
+    const std::size_t Slash = Path.find_last_of('/');
+    const std::string Folder = Slash == std::string::npos ? "." : Path.substr(0, Slash);
+    const auto Size = static_cast<unsigned int>(Bytes.size());
+    bool bRead = false;
+    if (Path.size() > 4 && Path.compare(Path.size() - 4, 4, ".glb") == 0) {
+        // Header of 12 bytes, then the length and kind of the JSON chunk (glTF 2.0, section 4.4).
+        constexpr std::size_t JsonStart = 20;
+        std::uint32_t JsonSize = 0;
+        if (Bytes.size() > JsonStart) {
+            std::memcpy(&JsonSize, &Bytes[12], sizeof(JsonSize));
+            CheckNesting(&Bytes[JsonStart], std::min<std::size_t>(JsonSize, Bytes.size() - JsonStart));
+        }
+        bRead = Loader.LoadBinaryFromMemory(&Model, &Error, &Warning, reinterpret_cast<const unsigned char*>(Bytes.data()), Size, Folder);
+    } else {
+        CheckNesting(Bytes.data(), Bytes.size());
+        bRead = Loader.LoadASCIIFromString(&Model, &Error, &Warning, Bytes.data(), Size, Folder);
+    }
     if (!bRead || !Error.empty()) {
         while (!Error.empty() && (Error.back() == '\n' || Error.back() == ' ')) {
             Error.pop_back();
