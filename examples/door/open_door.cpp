@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Opens a door from C++; open_door.py beside it does the same and prints the same. Both need an engine with the Door plugin:
+// Opens a door from C++; open_door.py beside it does the same and prints the same. Both need an engine with the Door
+// plugin:
 //
 //     tools/spear engine --address unix:/tmp/door.sock --plugin-dir build/release/example_plugins
 //     build/release/bin/open_door unix:/tmp/door.sock
@@ -32,7 +33,9 @@ void open_door(const char* address) {
 
 int main(int count, char** arguments) {
     if (count != 2) {
-        std::fputs("usage: open_door ADDRESS\nOpens a door in the engine at unix:/path or tcp://host:port; it needs the Door plugin.\n", stderr);
+        std::fputs("usage: open_door ADDRESS\nOpens a door in the engine at unix:/path or tcp://host:port; it needs "
+                   "the Door plugin.\n",
+            stderr);
         return 2;
     }
     try {

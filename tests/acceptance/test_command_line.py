@@ -34,7 +34,7 @@ def test_tools_spear_is_the_same(source_directory: Path, spear_command: list[str
     assert helpers.run([front_door, "--help"]).stdout == helpers.run([*spear_command, "--help"]).stdout
 
 
-@pytest.mark.parametrize("words", ["", "engine", "engine list", "demo", "schema", "schema live", "schema check", "schema stats", "bench", "bench calls", "doctor"])
+@pytest.mark.parametrize("words", ["", "engine", "engine run", "engine list", "demo", "schema", "schema live", "schema check", "schema stats", "bench", "bench calls", "doctor"])
 def test_help(spear_command: list[str], words: str) -> None:
     assert "Usage: spear " + words in helpers.run([*spear_command, *words.split(), "--help"]).stdout
 
@@ -62,6 +62,14 @@ def test_engine_ends_cleanly(spear_command: list[str], number: signal.Signals, t
         if process.poll() is None:
             process.kill()
             process.wait()
+
+
+def test_engine_takes_the_engines_own_options(spear_command: list[str]) -> None:
+    assert "--plugin-dir" in helpers.run([*spear_command, "engine", "--", "--help"]).stdout
+    output = helpers.run([*spear_command, "engine", "--fps", "0", "--frames", "3", "--log", "display"])
+    assert output.returncode == 0
+    result = subprocess.run([*spear_command, "engine", "lst"], capture_output=True, text=True, check=False)
+    assert result.returncode == 2 and "No such command 'lst'" in result.stderr
 
 
 def test_engine_list(spear_command: list[str], build_directory: Path) -> None:

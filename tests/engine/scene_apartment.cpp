@@ -26,7 +26,8 @@ TEST_CASE("the apartment has its rooms, objects, triangles and lights") {
             ++objects;
             untagged += actor->Tags.IsEmpty() ? 1 : 0;
             if (actor->ActorHasTag(TEXT("room"))) {
-                for (const TCHAR* room : {TEXT("living_room"), TEXT("kitchen"), TEXT("hall"), TEXT("bedroom"), TEXT("bathroom"), TEXT("study")}) {
+                for (const TCHAR* room : {TEXT("living_room"), TEXT("kitchen"), TEXT("hall"), TEXT("bedroom"),
+                         TEXT("bathroom"), TEXT("study")}) {
                     if (actor->ActorHasTag(room)) {
                         rooms.Add(room);
                     }
@@ -39,7 +40,8 @@ TEST_CASE("the apartment has its rooms, objects, triangles and lights") {
                 without_material += slot.MaterialInterface ? 0 : 1;
                 if (slot.MaterialInterface) {
                     const FSurfaceParameters surface = slot.MaterialInterface->GetSurfaceParameters();
-                    for (const UTexture2D* texture : {surface.BaseColorTexture, surface.NormalTexture, surface.OcclusionRoughnessMetallicTexture}) {
+                    for (const UTexture2D* texture :
+                        {surface.BaseColorTexture, surface.NormalTexture, surface.OcclusionRoughnessMetallicTexture}) {
                         if (texture) {
                             textures.Add(texture);
                             CHECK(texture->GetPixels().Num() == 4 * texture->GetSizeX() * texture->GetSizeY());

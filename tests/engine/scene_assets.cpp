@@ -13,11 +13,10 @@
 
 namespace {
 
-UStaticMesh* LoadMesh(const TCHAR* Path) {
-    return LoadObject<UStaticMesh>(nullptr, Path);
-}
+UStaticMesh* LoadMesh(const TCHAR* Path) { return LoadObject<UStaticMesh>(nullptr, Path); }
 
-// Checks that the geometry is consistent: unit normals and tangents at right angles, triangles whose front agrees with their normals.
+// Checks that the geometry is consistent: unit normals and tangents at right angles, triangles whose front agrees with
+// their normals.
 void CheckGeometry(const UStaticMesh& Mesh) {
     const FStaticMeshGeometry& Geometry = Mesh.GetGeometry();
     REQUIRE(Geometry.Normals.Num() == Geometry.NumVertices());
@@ -28,14 +27,19 @@ void CheckGeometry(const UStaticMesh& Mesh) {
         const FVector4f& T = Geometry.Tangents[Index];
         const FVector Tangent(T.X, T.Y, T.Z);
         const bool bGood = FMath::Abs(Normal.Size() - 1.0) < 1e-4 && FMath::Abs(Tangent.Size() - 1.0) < 1e-4 &&
-                           FMath::Abs(FVector::DotProduct(Normal, Tangent)) < 1e-3 && FMath::Abs(FMath::Abs(T.W) - 1.0f) < 1e-6f;
+                           FMath::Abs(FVector::DotProduct(Normal, Tangent)) < 1e-3 &&
+                           FMath::Abs(FMath::Abs(T.W) - 1.0f) < 1e-6f;
         BadVertices += bGood ? 0 : 1;
     }
     CHECK(BadVertices == 0);
     int32 BadTriangles = 0;
     for (int32 Corner = 0; Corner < Geometry.Indices.Num(); Corner += 3) {
-        const auto Position = [&](int32 K) { return FVector(Geometry.Positions[static_cast<int32>(Geometry.Indices[Corner + K])]); };
-        const auto Normal = [&](int32 K) { return FVector(Geometry.Normals[static_cast<int32>(Geometry.Indices[Corner + K])]); };
+        const auto Position = [&](int32 K) {
+            return FVector(Geometry.Positions[static_cast<int32>(Geometry.Indices[Corner + K])]);
+        };
+        const auto Normal = [&](int32 K) {
+            return FVector(Geometry.Normals[static_cast<int32>(Geometry.Indices[Corner + K])]);
+        };
         const FVector Front = FVector::CrossProduct(Position(2) - Position(0), Position(1) - Position(0));
         BadTriangles += FVector::DotProduct(Front, Normal(0) + Normal(1) + Normal(2)) < -1e-6 ? 1 : 0;
     }
@@ -83,7 +87,8 @@ TEST_CASE("a static mesh keeps its slots and refuses inconsistent geometry") {
     EngineFixture fixture;
     UStaticMesh* mesh = NewObject<UStaticMesh>(GetTransientPackage());
     CHECK(mesh->GetNumLODs() == 0);
-    UMaterialInterface* material = LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
+    UMaterialInterface* material =
+        LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
     REQUIRE(material != nullptr);
     const FName first = mesh->AddMaterial(material);
     const FName second = mesh->AddMaterial(nullptr);
@@ -134,7 +139,8 @@ TEST_CASE("material instances override parameters through a chain") {
     CHECK(upper->K2_GetScalarParameterValue(TEXT("Roughness")) == doctest::Approx(0.5));
     const uint32 revision = upper->GetParametersRevision();
     lower->SetScalarParameterValue(TEXT("roughness"), 0.25f);
-    CHECK_MESSAGE(upper->K2_GetScalarParameterValue(TEXT("Roughness")) == doctest::Approx(0.25), "names have no case, and parents count");
+    CHECK_MESSAGE(upper->K2_GetScalarParameterValue(TEXT("Roughness")) == doctest::Approx(0.25),
+        "names have no case, and parents count");
     CHECK(upper->GetParametersRevision() != revision);
     upper->SetScalarParameterValue(TEXT("Roughness"), 0.75f);
     CHECK(lower->K2_GetScalarParameterValue(TEXT("Roughness")) == doctest::Approx(0.25));
@@ -202,10 +208,15 @@ TEST_CASE("coordinate axes spawn by class with three coloured arrows") {
     axes->SetActorScale3D(FVector(4.0, 4.0, 4.0));
     // The tip of each arrow, 100 cm along the mesh's +X.
     const FVector tip(100.0, 0.0, 0.0);
-    CHECK(axes->XAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(0.0, 400.0, 0.0), 1e-3));
-    CHECK(axes->YAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(-400.0, 0.0, 0.0), 1e-3));
-    CHECK(axes->ZAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(0.0, 0.0, 400.0), 1e-3));
-    const auto colour = [](const UStaticMeshComponent* axis) { return axis->GetMaterial(0)->GetSurfaceParameters().BaseColor; };
+    CHECK(
+        axes->XAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(0.0, 400.0, 0.0), 1e-3));
+    CHECK(
+        axes->YAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(-400.0, 0.0, 0.0), 1e-3));
+    CHECK(
+        axes->ZAxis->GetComponentTransform().TransformPosition(tip).Equals(location + FVector(0.0, 0.0, 400.0), 1e-3));
+    const auto colour = [](const UStaticMeshComponent* axis) {
+        return axis->GetMaterial(0)->GetSurfaceParameters().BaseColor;
+    };
     CHECK(colour(axes->XAxis).R > 4.0f * colour(axes->XAxis).G);
     CHECK(colour(axes->YAxis).G > 4.0f * colour(axes->YAxis).R);
     CHECK(colour(axes->ZAxis).B > 4.0f * colour(axes->ZAxis).R);

@@ -35,7 +35,8 @@ struct TemporaryFolder {
 
     TemporaryFolder() {
         static int number = 0;
-        Path = std::filesystem::temp_directory_path() / ("spear_scene_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
+        Path = std::filesystem::temp_directory_path() /
+               ("spear_scene_test_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
         std::filesystem::create_directories(Path);
     }
     ~TemporaryFolder() {
@@ -48,9 +49,11 @@ struct TemporaryFolder {
     }
 };
 
-// One triangle with corners (0,0,0), (1,0,0), (0,2,0) metres, counter-clockwise seen from +Z, normal (0,0,1); uv = (x, 1-y).
+// One triangle with corners (0,0,0), (1,0,0), (0,2,0) metres, counter-clockwise seen from +Z, normal (0,0,1); uv = (x,
+// 1-y).
 std::string TriangleBuffer() {
-    const float values[] = {0, 0, 0, 1, 0, 0, 0, 2, 0, /* normals */ 0, 0, 1, 0, 0, 1, 0, 0, 1, /* uv */ 0, 1, 1, 1, 0, -1};
+    const float values[] = {
+        0, 0, 0, 1, 0, 0, 0, 2, 0, /* normals */ 0, 0, 1, 0, 0, 1, 0, 0, 1, /* uv */ 0, 1, 1, 1, 0, -1};
     const std::uint16_t indices[] = {0, 1, 2};
     std::string bytes(sizeof(values) + sizeof(indices), '\0');
     std::memcpy(bytes.data(), values, sizeof(values));
@@ -101,9 +104,7 @@ std::string Failure(EngineFixture& fixture, const FString& path) {
     return TCHAR_TO_UTF8(*error);
 }
 
-bool Has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+bool Has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 } // namespace
 
@@ -112,8 +113,10 @@ TEST_CASE("glTF's metres, Y up and right-handed become UE's centimetres, Z up an
     TemporaryFolder folder;
     folder.Write("small.bin", TriangleBuffer());
     // A quarter turn about glTF's Y, counter-clockwise from above, takes +X to -Z; and a scale that differs by axis.
-    const FString path = folder.Write("small.gltf", Gltf(
-        R"({"name":"Thing_1","mesh":0,"translation":[1,2,3],"rotation":[0,0.70710678118,0,0.70710678118],"scale":[1,2,3]})", "0"));
+    const FString path = folder.Write("small.gltf",
+        Gltf(
+            R"({"name":"Thing_1","mesh":0,"translation":[1,2,3],"rotation":[0,0.70710678118,0,0.70710678118],"scale":[1,2,3]})",
+            "0"));
     FString error;
     REQUIRE_MESSAGE(FSceneLoader::LoadScene(fixture.World, path, error), toString(error));
     AStaticMeshActor* actor = Cast<AStaticMeshActor>(Find(fixture.World, TEXT("Thing_1")));
@@ -122,7 +125,9 @@ TEST_CASE("glTF's metres, Y up and right-handed become UE's centimetres, Z up an
     CHECK(actor->GetActorRotation().Equals(FRotator(0.0, -90.0, 0.0), 1e-4));
     CHECK(actor->GetActorScale3D().Equals(FVector(1.0, 3.0, 2.0), 1e-6));
     // The corner (1, 0, 0) goes to (1, 2, 3) + R (1, 0, 0) = (1, 2, 2) in glTF.
-    CHECK(actor->GetActorTransform().TransformPosition(FVector(100.0, 0.0, 0.0)).Equals(FVector(100.0, 200.0, 200.0), 1e-3));
+    CHECK(actor->GetActorTransform()
+            .TransformPosition(FVector(100.0, 0.0, 0.0))
+            .Equals(FVector(100.0, 200.0, 200.0), 1e-3));
 
     UStaticMesh* mesh = actor->GetStaticMeshComponent()->GetStaticMesh();
     REQUIRE(mesh != nullptr);
@@ -131,7 +136,8 @@ TEST_CASE("glTF's metres, Y up and right-handed become UE's centimetres, Z up an
     const FStaticMeshGeometry& geometry = mesh->GetGeometry();
     CHECK(FVector(geometry.Positions[2]).Equals(FVector(0.0, 0.0, 200.0), 1e-4));
     CHECK(FVector(geometry.Normals[0]).Equals(FVector(0.0, 1.0, 0.0), 1e-6));
-    CHECK(FVector(geometry.Tangents[0].X, geometry.Tangents[0].Y, geometry.Tangents[0].Z).Equals(FVector(1.0, 0.0, 0.0), 1e-6));
+    CHECK(FVector(geometry.Tangents[0].X, geometry.Tangents[0].Y, geometry.Tangents[0].Z)
+            .Equals(FVector(1.0, 0.0, 0.0), 1e-6));
     // Up in the image is glTF's +Y here, UE's +Z: W * (Normal x Tangent).
     const FVector up = FVector::CrossProduct(FVector(0.0, 1.0, 0.0), FVector(1.0, 0.0, 0.0)) * geometry.Tangents[0].W;
     CHECK(up.Equals(FVector(0.0, 0.0, 1.0), 1e-6));
@@ -156,9 +162,10 @@ TEST_CASE("groups become folders, nested actors are attached, matrices are decom
     TemporaryFolder folder;
     folder.Write("small.bin", TriangleBuffer());
     const FString path = folder.Write("small.gltf", Gltf(
-        R"({"name":"Room","translation":[10,0,0],"children":[1]},
+                                                        R"({"name":"Room","translation":[10,0,0],"children":[1]},
            {"name":"Table","mesh":0,"translation":[1,0,0],"children":[2]},
-           {"name":"Plate","mesh":0,"matrix":[0,0,-2,0, 0,2,0,0, 2,0,0,0, 0,1,0,1]})", "0"));
+           {"name":"Plate","mesh":0,"matrix":[0,0,-2,0, 0,2,0,0, 2,0,0,0, 0,1,0,1]})",
+                                                        "0"));
     FString error;
     REQUIRE_MESSAGE(FSceneLoader::LoadScene(fixture.World, path, error), toString(error));
     AActor* table = Find(fixture.World, TEXT("Table"));
@@ -179,16 +186,19 @@ TEST_CASE("punctual lights and cameras look along UE's +X with UE's units") {
     EngineFixture fixture;
     TemporaryFolder folder;
     folder.Write("small.bin", TriangleBuffer());
-    const std::string lights = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[
+    const std::string lights =
+        R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[
         {"type":"directional","intensity":10,"color":[1,0.5,0.25]},
         {"type":"spot","intensity":25,"range":4,"spot":{"innerConeAngle":0.2617993878,"outerConeAngle":0.5235987756}},
         {"type":"point","intensity":7}]}},
         "cameras":[{"type":"perspective","perspective":{"yfov":1.0,"aspectRatio":2.0,"znear":0.1}}])";
-    const FString path = folder.Write("small.gltf", Gltf(
-        R"({"name":"Sun","extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[-0.70710678118,0,0,0.70710678118]},
+    const FString path = folder.Write("small.gltf",
+        Gltf(
+            R"({"name":"Sun","extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[-0.70710678118,0,0,0.70710678118]},
            {"name":"Spot","extensions":{"KHR_lights_punctual":{"light":1}}},
            {"name":"Bulb","extensions":{"KHR_lights_punctual":{"light":2}}},
-           {"name":"Eye","camera":0,"rotation":[0,-0.70710678118,0,0.70710678118]})", "0,1,2,3", lights));
+           {"name":"Eye","camera":0,"rotation":[0,-0.70710678118,0,0.70710678118]})",
+            "0,1,2,3", lights));
     FString error;
     REQUIRE_MESSAGE(FSceneLoader::LoadScene(fixture.World, path, error), toString(error));
     ADirectionalLight* sun = Cast<ADirectionalLight>(Find(fixture.World, TEXT("Sun")));
@@ -222,7 +232,8 @@ TEST_CASE("the sidecar gives classes, tags, properties and actors of its own") {
     TemporaryFolder folder;
     folder.Write("small.bin", TriangleBuffer());
     folder.Write("small.gltf", Gltf(std::string(PlainNode) + R"(,{"name":"Mark","translation":[0,1,0]})", "0,1"));
-    const FString path = folder.Write("small.scene.json", R"json({"format":"spear-scene","version":1,"name":"tiny","gltf":"small.gltf",
+    const FString path =
+        folder.Write("small.scene.json", R"json({"format":"spear-scene","version":1,"name":"tiny","gltf":"small.gltf",
         "game_mode":"AGameModeBase","world_settings":{"KillZ":-123},
         "actors":[{"name":"Target_1","class":"ATargetPoint","location":[1,2,3],"rotation":[10,20,30],"tags":["goal"]}],
         "nodes":{"Thing_1":{"tags":["furniture","table"],"component_tags":["part"],"mobility":"Movable","folder":"Room/Furniture",
@@ -230,7 +241,8 @@ TEST_CASE("the sidecar gives classes, tags, properties and actors of its own") {
                  "Mark":{"class":"/Script/Engine.TargetPoint"}}})json");
     FSceneLoader::FSettings settings;
     FString error;
-    REQUIRE_MESSAGE(FSceneLoader::ReadSceneSettings(FString(UTF8_TO_TCHAR(folder.Path.c_str())), settings, error), toString(error));
+    REQUIRE_MESSAGE(
+        FSceneLoader::ReadSceneSettings(FString(UTF8_TO_TCHAR(folder.Path.c_str())), settings, error), toString(error));
     CHECK(toString(settings.Name) == "tiny");
     CHECK(toString(settings.GameMode) == "AGameModeBase");
     REQUIRE_MESSAGE(FSceneLoader::LoadScene(fixture.World, path, error), toString(error));
@@ -250,6 +262,31 @@ TEST_CASE("the sidecar gives classes, tags, properties and actors of its own") {
     CHECK(Cast<ATargetPoint>(Find(fixture.World, TEXT("Mark"))) != nullptr);
     CHECK(fixture.World->GetWorldSettings()->KillZ == doctest::Approx(-123.0));
     CHECK(Has(Failure(fixture, path), "has an object of this name already"));
+}
+
+TEST_CASE("the assets of a scene live as long as something uses them") {
+    EngineFixture fixture;
+    TemporaryFolder folder;
+    folder.Write("small.bin", TriangleBuffer());
+    const FString path = folder.Write("small.gltf", Gltf(PlainNode, "0"));
+    FString error;
+    REQUIRE_MESSAGE(FSceneLoader::LoadScene(fixture.World, path, error), toString(error));
+    AStaticMeshActor* thing = Cast<AStaticMeshActor>(Find(fixture.World, TEXT("Thing_1")));
+    REQUIRE(thing != nullptr);
+    const TWeakObjectPtr<UStaticMesh> mesh = thing->GetStaticMeshComponent()->GetStaticMesh();
+    const TWeakObjectPtr<UMaterialInterface> material = mesh->GetMaterial(0);
+    CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS, true);
+    REQUIRE(mesh.IsValid());
+    CHECK(material.IsValid());
+    const TCHAR* const name = TEXT("/Game/Scenes/small/Meshes/Triangle.Triangle");
+    CHECK(LoadObject<UStaticMesh>(nullptr, name) == mesh.Get());
+    fixture.World->DestroyActor(thing);
+    CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS, true);
+    CHECK_FALSE(mesh.IsValid());
+    CHECK_FALSE(material.IsValid());
+    CHECK(LoadObject<UStaticMesh>(nullptr, name) == nullptr);
+    // The name is free again.
+    CHECK(FSceneLoader::LoadScene(fixture.World, path, error));
 }
 
 TEST_CASE("malformed scenes are refused with the file, the place and the reason, and leave the world alone") {
@@ -277,9 +314,13 @@ TEST_CASE("malformed scenes are refused with the file, the place and the reason,
     CHECK(Has(Failure(fixture, folder.Write("bad.glb", "glTFxxxx")), "bad.glb"));
     CHECK(Has(gltf(replaced(good, "small.bin", "missing.bin")), "missing.bin"));
     CHECK(Has(gltf(replaced(good, "\"byteLength\":102", "\"byteLength\":1020")), "bad.gltf"));
-    CHECK(Has(gltf(replaced(good, "\"count\":3,\"type\":\"VEC3\",\"min\"", "\"count\":4,\"type\":\"VEC3\",\"min\"")), "beyond the end"));
-    CHECK(Has(gltf(replaced(good, "\"count\":3,\"type\":\"VEC3\",\"min\"", "\"count\":4000000000,\"type\":\"VEC3\",\"min\"")), "bad.gltf"));
-    CHECK(Has(gltf(replaced(good, "\"byteOffset\":72", "\"byteOffset\":90")), "mesh 'Triangle' primitive 0 TEXCOORD_0"));
+    CHECK(Has(gltf(replaced(good, "\"count\":3,\"type\":\"VEC3\",\"min\"", "\"count\":4,\"type\":\"VEC3\",\"min\"")),
+        "beyond the end"));
+    CHECK(Has(
+        gltf(replaced(good, "\"count\":3,\"type\":\"VEC3\",\"min\"", "\"count\":4000000000,\"type\":\"VEC3\",\"min\"")),
+        "bad.gltf"));
+    CHECK(
+        Has(gltf(replaced(good, "\"byteOffset\":72", "\"byteOffset\":90")), "mesh 'Triangle' primitive 0 TEXCOORD_0"));
     CHECK(Has(gltf(replaced(good, "\"POSITION\":0", "\"POSITION\":77")), "accessor 77"));
     CHECK(Has(gltf(replaced(good, "\"indices\":3", "\"indices\":2")), "indices"));
     CHECK(Has(gltf(replaced(good, "\"mesh\":0", "\"mesh\":5")), "node 'Thing_1'"));
@@ -290,15 +331,18 @@ TEST_CASE("malformed scenes are refused with the file, the place and the reason,
     CHECK(Has(gltf(Gltf(R"({"name":"Same","mesh":0},{"name":"same","mesh":0})", "0,1")), "unique names"));
     CHECK(Has(gltf(Gltf(PlainNode, "0", R"(,"extensionsRequired":["EXT_secret"])")), "EXT_secret"));
     folder.Write("broken.png", "this is no image");
-    CHECK(Has(gltf(Gltf(PlainNode, "0", R"(,"images":[{"uri":"broken.png"}],"textures":[{"source":0}])")), "broken.png"));
+    CHECK(
+        Has(gltf(Gltf(PlainNode, "0", R"(,"images":[{"uri":"broken.png"}],"textures":[{"source":0}])")), "broken.png"));
 
     folder.Write("small.gltf", good);
     const auto sidecar = [&](const std::string& rest) {
-        return Failure(fixture, folder.Write("small.scene.json", R"({"format":"spear-scene","version":1,"gltf":"small.gltf")" + rest + "}"));
+        return Failure(fixture, folder.Write("small.scene.json",
+                                    R"({"format":"spear-scene","version":1,"gltf":"small.gltf")" + rest + "}"));
     };
     CHECK(Has(Failure(fixture, folder.Write("small.scene.json", "{")), "small.scene.json"));
     CHECK(Has(Failure(fixture, folder.Write("small.scene.json", R"({"format":"other"})")), "spear-scene"));
-    CHECK(Has(Failure(fixture, folder.Write("small.scene.json", R"({"format":"spear-scene","version":2})")), "version"));
+    CHECK(
+        Has(Failure(fixture, folder.Write("small.scene.json", R"({"format":"spear-scene","version":2})")), "version"));
     CHECK(Has(Failure(fixture, folder.Write("small.scene.json", R"({"format":"spear-scene","version":1})")), "gltf"));
     CHECK(Has(sidecar(R"(,"colour":1)"), "unknown key 'colour'"));
     CHECK(Has(sidecar(R"(,"nodes":{"Nobody":{}})"), "'Nobody'"));

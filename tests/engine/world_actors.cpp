@@ -240,6 +240,20 @@ TEST_CASE_FIXTURE(EngineFixture, "life span: an actor expires by world time") {
     CHECK_FALSE(IsValid(actor));
 }
 
+TEST_CASE_FIXTURE(EngineFixture, "world bounds: what falls below KillZ is destroyed") {
+    BeginPlay();
+    AStaticMeshActor* actor = World->SpawnActor<AStaticMeshActor>();
+    actor->SetMobility(EComponentMobility::Movable);
+    CHECK(actor->CheckStillInWorld());
+    World->GetWorldSettings()->KillZ = -100.0f;
+    actor->SetActorLocation(FVector(0, 0, -101));
+    World->GetWorldSettings()->bEnableWorldBoundsChecks = false;
+    CHECK(actor->CheckStillInWorld());
+    World->GetWorldSettings()->bEnableWorldBoundsChecks = true;
+    CHECK_FALSE(actor->CheckStillInWorld());
+    CHECK_FALSE(IsValid(actor));
+}
+
 TEST_CASE_FIXTURE(EngineFixture, "players: game mode, state, controller, pawn, camera") {
     APlayerStart* start = World->SpawnActor<APlayerStart>(FVector(10, 20, 30), FRotator(0, 45, 0));
     BeginPlay();

@@ -9,26 +9,46 @@ import os
 import click
 
 
-@click.group(invoke_without_command=True, context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
+class _RunByDefault(click.Group):
+    """`spear engine --scene X` is `spear engine run --scene X`; options that we do not know go to the engine."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        if not args or (args[0].startswith("-") and args[0] not in ctx.help_option_names):
+            args = ["run", *args]
+        return super().parse_args(ctx, args)
+
+
+@click.group(cls=_RunByDefault)
+def engine() -> None:
+    """Run the embedded engine until Ctrl-C, or list engines that run.
+
+    `spear engine OPTIONS` is short for `spear engine run OPTIONS`.
+
+    \b
+    Examples:
+      spear engine --scene apartment --fps 60
+      spear engine --address tcp://127.0.0.1:5005 --fixed-dt 0.01
+      spear engine run --help
+      spear engine list
+    """
+
+
+@engine.command(context_settings={"ignore_unknown_options": True, "allow_extra_args": True})
 @click.option("--scene", default="apartment", show_default=True, help="Scene by name or path of a glTF file.")
 @click.option("--fps", type=float, help="Frames per second to keep; 0 runs as fast as possible. [default: 60]")
 @click.option("--fixed-dt", type=float, metavar="SECONDS", help="Simulated time per frame, whatever the clock says.")
 @click.option("--address", help="Where to listen: unix:/path or tcp://host:port. [default: a socket of this user]")
 @click.option("--paused", is_flag=True, help="Start with the world paused.")
 @click.pass_context
-def engine(context: click.Context, scene: str, fps: float | None, fixed_dt: float | None, address: str | None, paused: bool) -> None:
-    """Run the embedded engine until Ctrl-C, or manage engines that run.
+def run(context: click.Context, scene: str, fps: float | None, fixed_dt: float | None, address: str | None, paused: bool) -> None:
+    """Run the embedded engine until Ctrl-C; exit code 0 then.
 
-    Further options are passed to the engine itself (see `spear engine -- --help`).
+    Further options are passed to the engine itself (`spear engine -- --help` lists them).
 
     \b
-    Examples:
-      spear engine --scene apartment --fps 60
-      spear engine --address tcp://127.0.0.1:5005 --fixed-dt 0.01
-      spear engine list
+    Example:
+      spear engine --fps 60 --plugin-dir build/release/example_plugins
     """
-    if context.invoked_subcommand is not None:
-        return
     from spear.programs import find_program
 
     program = find_program("spear-engine")

@@ -96,7 +96,8 @@ void FTickTaskManager::StartFrame(float DeltaSeconds, ELevelTick TickType) {
 
     for (FTickFunction* Function : Functions) {
         const bool bClockRuns = TickType != LEVELTICK_PauseTick || Function->bTickEvenWhenPaused;
-        if (Function->bTickEnabled && Function->TickInterval > 0.f && Function->TimeSinceLastTick >= 0.f && bClockRuns) {
+        if (Function->bTickEnabled && Function->TickInterval > 0.f && Function->TimeSinceLastTick >= 0.f &&
+            bClockRuns) {
             Function->CooldownSeconds -= DeltaSeconds;
             Function->TimeSinceLastTick += DeltaSeconds;
         }

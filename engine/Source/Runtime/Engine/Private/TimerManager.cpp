@@ -31,8 +31,7 @@ void FTimerUnifiedDelegate::Unbind() {
     FuncCallback = nullptr;
 }
 
-FTimerManager::FTimerManager(UGameInstance*)
-    : LastHandle(0), InternalTime(0.0), LastTickedFrame(MAX_uint64) {}
+FTimerManager::FTimerManager(UGameInstance*) : LastHandle(0), InternalTime(0.0), LastTickedFrame(MAX_uint64) {}
 
 FTimerManager::~FTimerManager() = default;
 

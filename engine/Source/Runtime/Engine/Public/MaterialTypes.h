@@ -15,8 +15,8 @@ enum EMaterialParameterAssociation : int {
 };
 
 /**
- * Identifies a material parameter (UE: FMaterialParameterInfo, MaterialTypes.h). The embedded engine's materials have no layers, so the
- * association is GlobalParameter and the index INDEX_NONE for every parameter that exists.
+ * Identifies a material parameter (UE: FMaterialParameterInfo, MaterialTypes.h). The embedded engine's materials have
+ * no layers, so the association is GlobalParameter and the index INDEX_NONE for every parameter that exists.
  */
 USTRUCT(BlueprintType)
 struct FMaterialParameterInfo {
@@ -37,27 +37,25 @@ struct FMaterialParameterInfo {
     FMaterialParameterInfo() = default;
 
     FMaterialParameterInfo(const FName& InName,
-                           EMaterialParameterAssociation InAssociation = EMaterialParameterAssociation::GlobalParameter,
-                           int32 InIndex = INDEX_NONE)
+        EMaterialParameterAssociation InAssociation = EMaterialParameterAssociation::GlobalParameter,
+        int32 InIndex = INDEX_NONE)
         : Name(InName), Association(InAssociation), Index(InIndex) {}
 
     FMaterialParameterInfo(const TCHAR* InName,
-                           EMaterialParameterAssociation InAssociation = EMaterialParameterAssociation::GlobalParameter,
-                           int32 InIndex = INDEX_NONE)
+        EMaterialParameterAssociation InAssociation = EMaterialParameterAssociation::GlobalParameter,
+        int32 InIndex = INDEX_NONE)
         : Name(InName), Association(InAssociation), Index(InIndex) {}
 
     friend bool operator==(const FMaterialParameterInfo& A, const FMaterialParameterInfo& B) {
         return A.Name == B.Name && A.Association == B.Association && A.Index == B.Index;
     }
 
-    friend bool operator!=(const FMaterialParameterInfo& A, const FMaterialParameterInfo& B) {
-        return !(A == B);
-    }
+    friend bool operator!=(const FMaterialParameterInfo& A, const FMaterialParameterInfo& B) { return !(A == B); }
 };
 
 /**
- * Parameter key of the getters of UMaterialInterface (UE: FHashedMaterialParameterInfo, MaterialTypes.h); made implicitly from a name or an
- * FMaterialParameterInfo.
+ * Parameter key of the getters of UMaterialInterface (UE: FHashedMaterialParameterInfo, MaterialTypes.h); made
+ * implicitly from a name or an FMaterialParameterInfo.
  */
 struct FHashedMaterialParameterInfo {
     FHashedMaterialParameterInfo(const FName& InName) : Info(InName) {}
@@ -65,14 +63,10 @@ struct FHashedMaterialParameterInfo {
     FHashedMaterialParameterInfo(const FMaterialParameterInfo& InInfo) : Info(InInfo) {}
 
     /** Name of the parameter. */
-    FName GetName() const {
-        return Info.Name;
-    }
+    FName GetName() const { return Info.Name; }
 
     /** The whole key. */
-    const FMaterialParameterInfo& GetInfo() const {
-        return Info;
-    }
+    const FMaterialParameterInfo& GetInfo() const { return Info; }
 
 private:
     FMaterialParameterInfo Info;

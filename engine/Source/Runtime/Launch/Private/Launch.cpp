@@ -4,6 +4,7 @@
 #include "LaunchOptions.h"
 
 #include "CoreGlobals.h"
+#include "HAL/PlatformMisc.h"
 
 #include <csignal>
 #include <cstdio>
@@ -59,5 +60,5 @@ int main(int ArgumentCount, char** Arguments) {
         EngineLoop.Tick();
     }
     EngineLoop.Exit();
-    return ExitCode;
+    return ExitCode != 0 ? ExitCode : FPlatformMisc::GetRequestedExitStatus();
 }

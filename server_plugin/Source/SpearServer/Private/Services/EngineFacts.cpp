@@ -15,6 +15,8 @@
 #include "spear/version.hpp"
 
 #include <mutex>
+#include <string>
+#include <string_view>
 
 namespace SpearServer {
 
@@ -31,6 +33,20 @@ FFacts& GetFacts() {
     return Facts;
 }
 
+/// The command line for clients: without the token.
+std::string PublicCommandLine() {
+    std::string Text = ToUtf8(FString(FCommandLine::Get()));
+    static constexpr std::string_view Option = "-speartoken=";
+    for (std::size_t At = ToLower(Text).find(Option); At != std::string::npos;
+        At = ToLower(Text).find(Option, At + Option.size())) {
+        const std::size_t Value = At + Option.size();
+        const bool bQuoted = Value < Text.size() && Text[Value] == '"';
+        const std::size_t End = bQuoted ? Text.find('"', Value + 1) : Text.find(' ', Value);
+        Text.replace(Value, End == std::string::npos ? std::string::npos : End - Value + (bQuoted ? 1 : 0), "***");
+    }
+    return Text;
+}
+
 } // namespace
 
 void UpdateEngineFacts() {
@@ -44,7 +60,7 @@ void UpdateEngineFacts() {
         Facts.Info.engine_name = EngineName;
         Facts.Info.engine_version = ToUtf8(FEngineVersion::Current().ToString(EVersionComponent::Patch));
         Facts.Info.project = ToUtf8(FString(FApp::GetProjectName()));
-        Facts.Info.command_line = ToUtf8(FString(FCommandLine::Get()));
+        Facts.Info.command_line = PublicCommandLine();
         Facts.Info.process_id = FPlatformProcess::GetCurrentProcessId();
         Facts.Info.is_editor = GIsEditor;
     }

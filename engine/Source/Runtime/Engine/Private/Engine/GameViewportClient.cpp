@@ -8,7 +8,7 @@
 #include "Misc/Parse.h"
 
 UGameViewportClient::UGameViewportClient(const FObjectInitializer& ObjectInitializer)
-    : Super(ObjectInitializer), bDisableWorldRendering(false), Size(1280, 720) {}
+    : Super(ObjectInitializer), Size(1280, 720) {}
 
 void UGameViewportClient::Init(FWorldContext& WorldContext, UGameInstance* OwningGameInstance, bool) {
     GameInstance = OwningGameInstance;

@@ -3,32 +3,21 @@
 
 #include "Materials/MaterialInterface.h"
 
-FBoxSphereBounds UStaticMesh::GetBounds() const {
-    return Bounds;
-}
+FBoxSphereBounds UStaticMesh::GetBounds() const { return Bounds; }
 
-FBox UStaticMesh::GetBoundingBox() const {
-    return BoundingBox;
-}
+FBox UStaticMesh::GetBoundingBox() const { return BoundingBox; }
 
-int32 UStaticMesh::GetNumLODs() const {
-    return Geometry.NumTriangles() > 0 ? 1 : 0;
-}
+int32 UStaticMesh::GetNumLODs() const { return Geometry.NumTriangles() > 0 ? 1 : 0; }
 
-int32 UStaticMesh::GetNumTriangles(int32 LODIndex) const {
-    return LODIndex == 0 ? Geometry.NumTriangles() : 0;
-}
+int32 UStaticMesh::GetNumTriangles(int32 LODIndex) const { return LODIndex == 0 ? Geometry.NumTriangles() : 0; }
 
-int32 UStaticMesh::GetNumSections(int32 InLOD) const {
-    return InLOD == 0 ? Geometry.Sections.Num() : 0;
-}
+int32 UStaticMesh::GetNumSections(int32 InLOD) const { return InLOD == 0 ? Geometry.Sections.Num() : 0; }
 
-int32 UStaticMesh::GetNumVertices(int32 LODIndex) const {
-    return LODIndex == 0 ? Geometry.NumVertices() : 0;
-}
+int32 UStaticMesh::GetNumVertices(int32 LODIndex) const { return LODIndex == 0 ? Geometry.NumVertices() : 0; }
 
 UMaterialInterface* UStaticMesh::GetMaterial(int32 MaterialIndex) const {
-    return StaticMaterials.IsValidIndex(MaterialIndex) ? StaticMaterials[MaterialIndex].MaterialInterface.Get() : nullptr;
+    return StaticMaterials.IsValidIndex(MaterialIndex) ? StaticMaterials[MaterialIndex].MaterialInterface.Get()
+                                                       : nullptr;
 }
 
 int32 UStaticMesh::GetMaterialIndex(FName MaterialSlotName) const {
@@ -62,30 +51,37 @@ void UStaticMesh::SetStaticMaterials(const TArray<FStaticMaterial>& InStaticMate
 
 bool UStaticMesh::SetGeometry(FStaticMeshGeometry&& InGeometry, FString& OutError) {
     const int32 NumVertices = InGeometry.Positions.Num();
-    const auto Fits = [NumVertices](int32 Count, bool bMayBeEmpty) { return Count == NumVertices || (bMayBeEmpty && Count == 0); };
-    if (!Fits(InGeometry.Normals.Num(), false) || !Fits(InGeometry.Tangents.Num(), false) || !Fits(InGeometry.TexCoords0.Num(), false) ||
-        !Fits(InGeometry.TexCoords1.Num(), true) || !Fits(InGeometry.Colors.Num(), true)) {
-        OutError = FString::Printf(TEXT("%s: there are %d positions, but %d normals, %d tangents and %d texture coordinates"), *GetPathName(),
-                                   NumVertices, InGeometry.Normals.Num(), InGeometry.Tangents.Num(), InGeometry.TexCoords0.Num());
+    const auto Fits = [NumVertices](int32 Count, bool bMayBeEmpty) {
+        return Count == NumVertices || (bMayBeEmpty && Count == 0);
+    };
+    if (!Fits(InGeometry.Normals.Num(), false) || !Fits(InGeometry.Tangents.Num(), false) ||
+        !Fits(InGeometry.TexCoords0.Num(), false) || !Fits(InGeometry.TexCoords1.Num(), true) ||
+        !Fits(InGeometry.Colors.Num(), true)) {
+        OutError = FString::Printf(
+            TEXT("%s: there are %d positions, but %d normals, %d tangents and %d texture coordinates"), *GetPathName(),
+            NumVertices, InGeometry.Normals.Num(), InGeometry.Tangents.Num(), InGeometry.TexCoords0.Num());
         return false;
     }
     for (const uint32 Index : InGeometry.Indices) {
         if (Index >= static_cast<uint32>(NumVertices)) {
-            OutError = FString::Printf(TEXT("%s: a triangle uses vertex %u, but there are %d"), *GetPathName(), Index, NumVertices);
+            OutError = FString::Printf(
+                TEXT("%s: a triangle uses vertex %u, but there are %d"), *GetPathName(), Index, NumVertices);
             return false;
         }
     }
     uint32 Covered = 0;
     for (const FStaticMeshGeometrySection& Section : InGeometry.Sections) {
-        if (Section.FirstIndex != Covered || Section.NumTriangles > (static_cast<uint32>(InGeometry.Indices.Num()) - Covered) / 3) {
-            OutError = FString::Printf(TEXT("%s: the sections do not follow each other over the %d indices"), *GetPathName(),
-                                       InGeometry.Indices.Num());
+        if (Section.FirstIndex != Covered ||
+            Section.NumTriangles > (static_cast<uint32>(InGeometry.Indices.Num()) - Covered) / 3) {
+            OutError = FString::Printf(TEXT("%s: the sections do not follow each other over the %d indices"),
+                *GetPathName(), InGeometry.Indices.Num());
             return false;
         }
         Covered += 3 * Section.NumTriangles;
     }
     if (Covered != static_cast<uint32>(InGeometry.Indices.Num())) {
-        OutError = FString::Printf(TEXT("%s: the sections cover %u of %d indices"), *GetPathName(), Covered, InGeometry.Indices.Num());
+        OutError = FString::Printf(
+            TEXT("%s: the sections cover %u of %d indices"), *GetPathName(), Covered, InGeometry.Indices.Num());
         return false;
     }
     Geometry = MoveTemp(InGeometry);

@@ -44,7 +44,6 @@ void AActor::InitializeDefaults() {
     bHasFinishedSpawning = false;
     bTickFunctionsRegistered = false;
     bHasRegisteredAllComponents = false;
-    bHasDeferredComponentRegistration = false;
 }
 
 void AActor::PostInitProperties() {
@@ -353,6 +352,21 @@ float AActor::GetLifeSpan() const {
     const UWorld* World = GetWorld();
     const float Remaining = World ? World->GetTimerManager().GetTimerRemaining(TimerHandle_LifeSpanExpired) : 0.f;
     return FMath::Max(Remaining, 0.f);
+}
+
+bool AActor::CheckStillInWorld() {
+    const UWorld* World = GetWorld();
+    const AWorldSettings* Settings = World ? World->GetWorldSettings(false, false) : nullptr;
+    if (bActorIsBeingDestroyed || !Settings) {
+        return false;
+    }
+    if (Settings->bEnableWorldBoundsChecks && GetActorLocation().Z < static_cast<double>(Settings->KillZ)) {
+        UE_LOG(LogActor, Log, TEXT("%s fell out of the world (KillZ %g)"), *GetName(),
+            static_cast<double>(Settings->KillZ));
+        Destroy();
+        return false;
+    }
+    return true;
 }
 
 void AActor::LifeSpanExpired() { Destroy(); }

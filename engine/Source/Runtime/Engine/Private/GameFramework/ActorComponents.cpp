@@ -214,7 +214,8 @@ bool AActor::SetRootComponent(USceneComponent* NewRootComponent) {
 FBox AActor::GetComponentsBoundingBox(bool bNonColliding, bool) const {
     FBox Box(ForceInit);
     ForEachComponent<UPrimitiveComponent>(false, [&Box, bNonColliding](const UPrimitiveComponent* Primitive) {
-        if (Primitive->IsRegistered() && (bNonColliding || Primitive->GetCollisionEnabled() != ECollisionEnabled::NoCollision)) {
+        if (Primitive->IsRegistered() &&
+            (bNonColliding || Primitive->GetCollisionEnabled() != ECollisionEnabled::NoCollision)) {
             Box += Primitive->Bounds.GetBox();
         }
     });

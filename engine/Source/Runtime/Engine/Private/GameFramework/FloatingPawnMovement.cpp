@@ -21,6 +21,9 @@ void UFloatingPawnMovement::TickComponent(
     if (!PawnOwner || !UpdatedComponent) {
         return;
     }
+    if (!PawnOwner->CheckStillInWorld()) {
+        return;
+    }
     ApplyControlInputToVelocity(DeltaTime);
     const FVector Delta = Velocity * DeltaTime;
     if (!Delta.IsNearlyZero(1.0e-6)) {

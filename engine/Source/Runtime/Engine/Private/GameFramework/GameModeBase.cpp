@@ -9,7 +9,6 @@
 #include "GameFramework/Pawn.h"
 #include "GameFramework/PlayerStart.h"
 #include "GameFramework/PlayerState.h"
-#include "GameFramework/SpectatorPawn.h"
 #include "GameFramework/WorldSettings.h"
 
 DEFINE_LOG_CATEGORY_STATIC(LogGameMode, Log, All);
@@ -19,7 +18,6 @@ AGameModeBase::AGameModeBase(const FObjectInitializer& ObjectInitializer) : Supe
     PlayerControllerClass = APlayerController::StaticClass();
     PlayerStateClass = APlayerState::StaticClass();
     DefaultPawnClass = ADefaultPawn::StaticClass();
-    SpectatorClass = ASpectatorPawn::StaticClass();
     DefaultPlayerNameText = TEXT("Player");
     bStartPlayersAsSpectators = false;
     bPauseable = true;

@@ -105,6 +105,9 @@ void UProjectileMovementComponent::TickComponent(
         return;
     }
     AActor* const Owner = UpdatedComponent->GetOwner();
+    if (!Owner || !Owner->CheckStillInWorld()) {
+        return;
+    }
     float RemainingTime = DeltaTime;
     int32 Iterations = 0;
     while (bSimulationEnabled && RemainingTime >= ShortestStep && Iterations < FMath::Max(MaxSimulationIterations, 1) &&

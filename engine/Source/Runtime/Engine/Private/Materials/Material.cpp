@@ -20,35 +20,26 @@ UMaterial::UMaterial(const FObjectInitializer& ObjectInitializer)
     Vector(TEXT("BaseColor"), Defaults.BaseColor);
     Vector(TEXT("EmissiveColor"), Defaults.EmissiveColor);
     Vector(TEXT("UVTransform"), FLinearColor(1.0f, 1.0f, 0.0f, 0.0f));
-    for (const TCHAR* Name : {TEXT("BaseColorTexture"), TEXT("OcclusionRoughnessMetallicTexture"), TEXT("NormalTexture"),
-                              TEXT("EmissiveTexture")}) {
+    for (const TCHAR* Name : {TEXT("BaseColorTexture"), TEXT("OcclusionRoughnessMetallicTexture"),
+             TEXT("NormalTexture"), TEXT("EmissiveTexture")}) {
         TextureParameterDefaults.Add(FTextureParameterValue(FMaterialParameterInfo(Name), nullptr));
     }
 }
 
-UMaterial* UMaterial::GetMaterial() {
-    return this;
-}
+UMaterial* UMaterial::GetMaterial() { return this; }
 
-const UMaterial* UMaterial::GetMaterial() const {
-    return this;
-}
+const UMaterial* UMaterial::GetMaterial() const { return this; }
 
-EBlendMode UMaterial::GetBlendMode() const {
-    return BlendMode;
-}
+EBlendMode UMaterial::GetBlendMode() const { return BlendMode; }
 
-bool UMaterial::IsTwoSided() const {
-    return TwoSided != 0;
-}
+bool UMaterial::IsTwoSided() const { return TwoSided != 0; }
 
-float UMaterial::GetOpacityMaskClipValue() const {
-    return OpacityMaskClipValue;
-}
+float UMaterial::GetOpacityMaskClipValue() const { return OpacityMaskClipValue; }
 
-bool UMaterial::GetScalarParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue,
-                                        bool bOveriddenOnly) const {
-    const FScalarParameterValue* Found = bOveriddenOnly ? nullptr : FindParameter(ScalarParameterDefaults, ParameterInfo.GetInfo());
+bool UMaterial::GetScalarParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue, bool bOveriddenOnly) const {
+    const FScalarParameterValue* Found =
+        bOveriddenOnly ? nullptr : FindParameter(ScalarParameterDefaults, ParameterInfo.GetInfo());
     if (Found == nullptr) {
         return false;
     }
@@ -56,9 +47,10 @@ bool UMaterial::GetScalarParameterValue(const FHashedMaterialParameterInfo& Para
     return true;
 }
 
-bool UMaterial::GetVectorParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue,
-                                        bool bOveriddenOnly) const {
-    const FVectorParameterValue* Found = bOveriddenOnly ? nullptr : FindParameter(VectorParameterDefaults, ParameterInfo.GetInfo());
+bool UMaterial::GetVectorParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue, bool bOveriddenOnly) const {
+    const FVectorParameterValue* Found =
+        bOveriddenOnly ? nullptr : FindParameter(VectorParameterDefaults, ParameterInfo.GetInfo());
     if (Found == nullptr) {
         return false;
     }
@@ -66,9 +58,10 @@ bool UMaterial::GetVectorParameterValue(const FHashedMaterialParameterInfo& Para
     return true;
 }
 
-bool UMaterial::GetTextureParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue,
-                                         bool bOveriddenOnly) const {
-    const FTextureParameterValue* Found = bOveriddenOnly ? nullptr : FindParameter(TextureParameterDefaults, ParameterInfo.GetInfo());
+bool UMaterial::GetTextureParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue, bool bOveriddenOnly) const {
+    const FTextureParameterValue* Found =
+        bOveriddenOnly ? nullptr : FindParameter(TextureParameterDefaults, ParameterInfo.GetInfo());
     if (Found == nullptr) {
         return false;
     }

@@ -4,9 +4,7 @@
 #include "MaterialParameters.h"
 #include "Materials/Material.h"
 
-UMaterial* UMaterialInstance::GetMaterial() {
-    return Parent ? Parent->GetMaterial() : nullptr;
-}
+UMaterial* UMaterialInstance::GetMaterial() { return Parent ? Parent->GetMaterial() : nullptr; }
 
 const UMaterial* UMaterialInstance::GetMaterial() const {
     const UMaterialInterface* ConstParent = Parent.Get();
@@ -34,8 +32,8 @@ float UMaterialInstance::GetOpacityMaskClipValue() const {
     return Parent ? Parent->GetOpacityMaskClipValue() : Super::GetOpacityMaskClipValue();
 }
 
-bool UMaterialInstance::GetScalarParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue,
-                                                bool bOveriddenOnly) const {
+bool UMaterialInstance::GetScalarParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue, bool bOveriddenOnly) const {
     if (const FScalarParameterValue* Found = FindParameter(ScalarParameterValues, ParameterInfo.GetInfo())) {
         OutValue = Found->ParameterValue;
         return true;
@@ -43,8 +41,8 @@ bool UMaterialInstance::GetScalarParameterValue(const FHashedMaterialParameterIn
     return Parent && Parent->GetScalarParameterValue(ParameterInfo, OutValue, bOveriddenOnly);
 }
 
-bool UMaterialInstance::GetVectorParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue,
-                                                bool bOveriddenOnly) const {
+bool UMaterialInstance::GetVectorParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue, bool bOveriddenOnly) const {
     if (const FVectorParameterValue* Found = FindParameter(VectorParameterValues, ParameterInfo.GetInfo())) {
         OutValue = Found->ParameterValue;
         return true;
@@ -52,8 +50,8 @@ bool UMaterialInstance::GetVectorParameterValue(const FHashedMaterialParameterIn
     return Parent && Parent->GetVectorParameterValue(ParameterInfo, OutValue, bOveriddenOnly);
 }
 
-bool UMaterialInstance::GetTextureParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue,
-                                                 bool bOveriddenOnly) const {
+bool UMaterialInstance::GetTextureParameterValue(
+    const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue, bool bOveriddenOnly) const {
     if (const FTextureParameterValue* Found = FindParameter(TextureParameterValues, ParameterInfo.GetInfo())) {
         OutValue = Found->ParameterValue.Get();
         return true;
@@ -68,8 +66,8 @@ uint32 UMaterialInstance::GetParametersRevision() const {
 void UMaterialInstance::SetParentInternal(UMaterialInterface* NewParent) {
     for (const UMaterialInterface* Ancestor = NewParent; Ancestor != nullptr;) {
         if (Ancestor == this) {
-            UE_LOG(LogTemp, Error, TEXT("%s cannot be a parent of %s: it is an instance of it already"), *NewParent->GetPathName(),
-                   *GetPathName());
+            UE_LOG(LogTemp, Error, TEXT("%s cannot be a parent of %s: it is an instance of it already"),
+                *NewParent->GetPathName(), *GetPathName());
             return;
         }
         const UMaterialInstance* Instance = Cast<UMaterialInstance>(Ancestor);
@@ -88,7 +86,8 @@ void UMaterialInstance::SetScalarParameterValueInternal(const FMaterialParameter
     MarkParametersChanged();
 }
 
-void UMaterialInstance::SetVectorParameterValueInternal(const FMaterialParameterInfo& ParameterInfo, FLinearColor Value) {
+void UMaterialInstance::SetVectorParameterValueInternal(
+    const FMaterialParameterInfo& ParameterInfo, FLinearColor Value) {
     if (FVectorParameterValue* Found = FindParameter(VectorParameterValues, ParameterInfo)) {
         Found->ParameterValue = Value;
     } else {

@@ -19,10 +19,9 @@ FLinearColor UMaterialInstanceConstant::K2_GetVectorParameterValue(FName Paramet
     return Result;
 }
 
-void UMaterialInstanceConstant::InitializeAsset(UMaterialInterface* InParent, const TArray<FScalarParameterValue>& Scalars,
-                                                const TArray<FVectorParameterValue>& Vectors,
-                                                const TArray<FTextureParameterValue>& Textures,
-                                                const FMaterialInstanceBasePropertyOverrides& Overrides) {
+void UMaterialInstanceConstant::InitializeAsset(UMaterialInterface* InParent,
+    const TArray<FScalarParameterValue>& Scalars, const TArray<FVectorParameterValue>& Vectors,
+    const TArray<FTextureParameterValue>& Textures, const FMaterialInstanceBasePropertyOverrides& Overrides) {
     SetParentInternal(InParent);
     ScalarParameterValues = Scalars;
     VectorParameterValues = Vectors;

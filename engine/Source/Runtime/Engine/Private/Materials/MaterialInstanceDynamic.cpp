@@ -8,7 +8,8 @@ UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(UMaterialInterface* P
     return Create(ParentMaterial, InOuter, NAME_None);
 }
 
-UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(UMaterialInterface* ParentMaterial, UObject* InOuter, FName Name) {
+UMaterialInstanceDynamic* UMaterialInstanceDynamic::Create(
+    UMaterialInterface* ParentMaterial, UObject* InOuter, FName Name) {
     if (ParentMaterial == nullptr) {
         UE_LOG(LogTemp, Warning, TEXT("UMaterialInstanceDynamic::Create was given no parent material"));
         return nullptr;
@@ -37,7 +38,8 @@ void UMaterialInstanceDynamic::SetTextureParameterValue(FName ParameterName, UTe
     SetTextureParameterValueInternal(FMaterialParameterInfo(ParameterName), Value);
 }
 
-void UMaterialInstanceDynamic::SetTextureParameterValueByInfo(const FMaterialParameterInfo& ParameterInfo, UTexture* Value) {
+void UMaterialInstanceDynamic::SetTextureParameterValueByInfo(
+    const FMaterialParameterInfo& ParameterInfo, UTexture* Value) {
     SetTextureParameterValueInternal(ParameterInfo, Value);
 }
 
@@ -51,7 +53,8 @@ void UMaterialInstanceDynamic::SetVectorParameterValue(FName ParameterName, FLin
     SetVectorParameterValueInternal(FMaterialParameterInfo(ParameterName), Value);
 }
 
-void UMaterialInstanceDynamic::SetVectorParameterValueByInfo(const FMaterialParameterInfo& ParameterInfo, FLinearColor Value) {
+void UMaterialInstanceDynamic::SetVectorParameterValueByInfo(
+    const FMaterialParameterInfo& ParameterInfo, FLinearColor Value) {
     SetVectorParameterValueInternal(ParameterInfo, Value);
 }
 
@@ -61,7 +64,8 @@ FLinearColor UMaterialInstanceDynamic::K2_GetVectorParameterValue(FName Paramete
     return Result;
 }
 
-void UMaterialInstanceDynamic::K2_InterpolateMaterialInstanceParams(UMaterialInstance* SourceA, UMaterialInstance* SourceB, float Alpha) {
+void UMaterialInstanceDynamic::K2_InterpolateMaterialInstanceParams(
+    UMaterialInstance* SourceA, UMaterialInstance* SourceB, float Alpha) {
     if (SourceA == nullptr || SourceB == nullptr) {
         return;
     }
@@ -81,14 +85,16 @@ void UMaterialInstanceDynamic::K2_InterpolateMaterialInstanceParams(UMaterialIns
     for (FScalarParameterValue& Value : Scalars) {
         float A = 0.0f;
         float B = 0.0f;
-        if (SourceA->GetScalarParameterValue(Value.ParameterInfo, A) && SourceB->GetScalarParameterValue(Value.ParameterInfo, B)) {
+        if (SourceA->GetScalarParameterValue(Value.ParameterInfo, A) &&
+            SourceB->GetScalarParameterValue(Value.ParameterInfo, B)) {
             Value.ParameterValue = A + (B - A) * Alpha;
         }
     }
     for (FVectorParameterValue& Value : Vectors) {
         FLinearColor A;
         FLinearColor B;
-        if (SourceA->GetVectorParameterValue(Value.ParameterInfo, A) && SourceB->GetVectorParameterValue(Value.ParameterInfo, B)) {
+        if (SourceA->GetVectorParameterValue(Value.ParameterInfo, A) &&
+            SourceB->GetVectorParameterValue(Value.ParameterInfo, B)) {
             Value.ParameterValue = A + (B - A) * Alpha;
         }
     }
@@ -97,6 +103,4 @@ void UMaterialInstanceDynamic::K2_InterpolateMaterialInstanceParams(UMaterialIns
     MarkParametersChanged();
 }
 
-void UMaterialInstanceDynamic::ClearParameterValues() {
-    ClearParameterValuesInternal();
-}
+void UMaterialInstanceDynamic::ClearParameterValues() { ClearParameterValuesInternal(); }

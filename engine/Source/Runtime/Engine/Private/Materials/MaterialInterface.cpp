@@ -4,29 +4,17 @@
 #include "Engine/Texture2D.h"
 #include "Materials/Material.h"
 
-UMaterial* UMaterialInterface::GetBaseMaterial() {
-    return GetMaterial();
-}
+UMaterial* UMaterialInterface::GetBaseMaterial() { return GetMaterial(); }
 
-UMaterial* UMaterialInterface::GetMaterial() {
-    return nullptr;
-}
+UMaterial* UMaterialInterface::GetMaterial() { return nullptr; }
 
-const UMaterial* UMaterialInterface::GetMaterial() const {
-    return nullptr;
-}
+const UMaterial* UMaterialInterface::GetMaterial() const { return nullptr; }
 
-EBlendMode UMaterialInterface::GetBlendMode() const {
-    return BLEND_Opaque;
-}
+EBlendMode UMaterialInterface::GetBlendMode() const { return BLEND_Opaque; }
 
-bool UMaterialInterface::IsTwoSided() const {
-    return false;
-}
+bool UMaterialInterface::IsTwoSided() const { return false; }
 
-float UMaterialInterface::GetOpacityMaskClipValue() const {
-    return 0.3333f;
-}
+float UMaterialInterface::GetOpacityMaskClipValue() const { return 0.3333f; }
 
 bool UMaterialInterface::GetScalarParameterValue(const FHashedMaterialParameterInfo&, float&, bool) const {
     return false;
@@ -40,9 +28,7 @@ bool UMaterialInterface::GetTextureParameterValue(const FHashedMaterialParameter
     return false;
 }
 
-uint32 UMaterialInterface::GetParametersRevision() const {
-    return ParametersRevision;
-}
+uint32 UMaterialInterface::GetParametersRevision() const { return ParametersRevision; }
 
 FSurfaceParameters UMaterialInterface::GetSurfaceParameters() const {
     FSurfaceParameters Result;

@@ -78,7 +78,8 @@ public:
             const FVector Out = Around(static_cast<double>(Step) / Segments);
             Rim.Add(Vertex(Out * Radius + FVector(0.0, 0.0, Height), Normal, 0.5 + 0.5 * Out.X, 0.5 + 0.5 * Out.Y));
             const double Share = InnerRadius / Radius;
-            Inner.Add(Vertex(Out * InnerRadius + FVector(0.0, 0.0, Height), Normal, 0.5 + 0.5 * Share * Out.X, 0.5 + 0.5 * Share * Out.Y));
+            Inner.Add(Vertex(Out * InnerRadius + FVector(0.0, 0.0, Height), Normal, 0.5 + 0.5 * Share * Out.X,
+                0.5 + 0.5 * Share * Out.Y));
         }
         for (int32 Step = 0; Step < Segments; ++Step) {
             Triangle(Inner[Step], Rim[Step], Rim[Step + 1]);
@@ -132,7 +133,8 @@ private:
     FStaticMeshGeometry Geometry;
 };
 
-/** The shapes of UE's /Engine/BasicShapes: one metre across, centred (Plane: in Z = 0). Arrow is ours: from the origin to +X, one metre long. */
+/** The shapes of UE's /Engine/BasicShapes: one metre across, centred (Plane: in Z = 0). Arrow is ours: from the origin
+ * to +X, one metre long. */
 bool BuildShape(const FString& Name, FStaticMeshGeometry& OutGeometry) {
     FShapeBuilder Builder;
     constexpr double Half = 50.0;
@@ -147,7 +149,8 @@ bool BuildShape(const FString& Name, FStaticMeshGeometry& OutGeometry) {
             Builder.Rectangle(Z * Side, X, Y, Z * Side);
         }
     } else if (Name == TEXT("Plane")) {
-        Builder.Rectangle(FVector::ZeroVector, FVector(Half, 0.0, 0.0), FVector(0.0, Half, 0.0), FVector(0.0, 0.0, 1.0));
+        Builder.Rectangle(
+            FVector::ZeroVector, FVector(Half, 0.0, 0.0), FVector(0.0, Half, 0.0), FVector(0.0, 0.0, 1.0));
     } else if (Name == TEXT("Sphere")) {
         Builder.Sphere(Half, Segments);
     } else if (Name == TEXT("Cylinder")) {
@@ -209,9 +212,11 @@ UObject* LoadEngineContent(UClass* Class, const FString& PackageName, const FStr
         if (!BuildShape(AssetName, Geometry)) {
             return nullptr;
         }
-        UStaticMesh* Mesh = NewObject<UStaticMesh>(CreatePackage(*PackageName), FName(*AssetName), RF_Public | RF_Standalone);
+        UStaticMesh* Mesh =
+            NewObject<UStaticMesh>(CreatePackage(*PackageName), FName(*AssetName), RF_Public | RF_Standalone);
         Mesh->AddToRoot();
-        UMaterialInterface* Material = LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
+        UMaterialInterface* Material =
+            LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
         Mesh->SetStaticMaterials({FStaticMaterial(Material, TEXT("DefaultMaterial"))});
         FString Error;
         verifyf(Mesh->SetGeometry(MoveTemp(Geometry), Error), TEXT("%s"), *Error);
@@ -224,9 +229,7 @@ UObject* LoadEngineContent(UClass* Class, const FString& PackageName, const FStr
 
 /** Class defaults load engine content before any module starts, so this registers with the library itself. */
 struct FRegisterEngineContent {
-    FRegisterEngineContent() {
-        FContentLoaderRegistry::Register(TEXT("EngineContent"), &LoadEngineContent);
-    }
+    FRegisterEngineContent() { FContentLoaderRegistry::Register(TEXT("EngineContent"), &LoadEngineContent); }
 };
 
 const FRegisterEngineContent RegisterEngineContent;

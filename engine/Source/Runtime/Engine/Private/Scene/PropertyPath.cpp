@@ -19,7 +19,8 @@ bool SetPropertyByPath(UObject* Object, const FString& Path, const FString& Text
     for (int32 Index = 0; Index < Parts.Num(); ++Index) {
         FProperty* Property = Type->FindPropertyByName(FName(*Parts[Index]));
         if (Property == nullptr) {
-            OutError = FString::Printf(TEXT("'%s' of the property path '%s' is no property of %s"), *Parts[Index], *Path, *Type->GetName());
+            OutError = FString::Printf(
+                TEXT("'%s' of the property path '%s' is no property of %s"), *Parts[Index], *Path, *Type->GetName());
             return false;
         }
         if (Index == Parts.Num() - 1) {
@@ -27,7 +28,7 @@ bool SetPropertyByPath(UObject* Object, const FString& Path, const FString& Text
             const TCHAR* Rest = Property->ImportText_InContainer(*Text, Container, Owner, PPF_None, &Errors);
             if (Rest == nullptr || !FString(Rest).TrimStartAndEnd().IsEmpty() || !Errors.IsEmpty()) {
                 OutError = FString::Printf(TEXT("property '%s' has type %s, which cannot be read from '%s'%s%s"), *Path,
-                                           *Property->GetCPPType(), *Text, Errors.IsEmpty() ? TEXT("") : TEXT(": "), *Errors);
+                    *Property->GetCPPType(), *Text, Errors.IsEmpty() ? TEXT("") : TEXT(": "), *Errors);
                 return false;
             }
             return true;
@@ -44,8 +45,8 @@ bool SetPropertyByPath(UObject* Object, const FString& Path, const FString& Text
             Container = Owner;
             Type = Owner->GetClass();
         } else {
-            OutError = FString::Printf(TEXT("'%s' of the property path '%s' has type %s, which has no members"), *Parts[Index], *Path,
-                                       *Property->GetCPPType());
+            OutError = FString::Printf(TEXT("'%s' of the property path '%s' has type %s, which has no members"),
+                *Parts[Index], *Path, *Property->GetCPPType());
             return false;
         }
     }

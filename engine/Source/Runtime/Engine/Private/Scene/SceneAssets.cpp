@@ -26,7 +26,8 @@ TextureAddress Address(SceneFile::EWrap Wrap) {
 }
 
 FString NameOr(const std::string& Name, const TCHAR* Kind, int Index) {
-    return Name.empty() ? FString::Printf(TEXT("%s_%d"), Kind, Index) : SceneAssetNames::Clean(SceneConversion::ToString(Name));
+    return Name.empty() ? FString::Printf(TEXT("%s_%d"), Kind, Index)
+                        : SceneAssetNames::Clean(SceneConversion::ToString(Name));
 }
 
 void FillTexture(UTexture2D* Texture, const SceneFile::FTexture& Source, bool bColor) {
@@ -47,9 +48,10 @@ TArray<uint8> Bytes(const std::vector<std::uint8_t>& Source) {
 FString SceneAssetNames::Clean(const FString& Text) {
     FString Result = Text;
     for (TCHAR& Character : Result.GetCharArray()) {
-        const bool bPlain = (Character >= TEXT('a') && Character <= TEXT('z')) || (Character >= TEXT('A') && Character <= TEXT('Z')) ||
-                            (Character >= TEXT('0') && Character <= TEXT('9')) || Character == TEXT('_') || Character == TEXT('-') ||
-                            Character == 0 || Character > 127;
+        const bool bPlain = (Character >= TEXT('a') && Character <= TEXT('z')) ||
+                            (Character >= TEXT('A') && Character <= TEXT('Z')) ||
+                            (Character >= TEXT('0') && Character <= TEXT('9')) || Character == TEXT('_') ||
+                            Character == TEXT('-') || Character == 0 || Character > 127;
         if (!bPlain) {
             Character = TEXT('_');
         }
@@ -60,13 +62,9 @@ FString SceneAssetNames::Clean(const FString& Text) {
 FSceneAssets::FSceneAssets(const SceneFile::FDocument& InDocument, const FString& InSceneName)
     : Document(InDocument), Root(TEXT("/Game/Scenes/") + SceneAssetNames::Clean(InSceneName)) {}
 
-bool FSceneAssets::Build(FString& OutError) {
-    return BuildMaterials(OutError) && BuildMeshes(OutError);
-}
+bool FSceneAssets::Build(FString& OutError) { return BuildMaterials(OutError) && BuildMeshes(OutError); }
 
-UStaticMesh* FSceneAssets::GetMesh(int Index) const {
-    return Meshes.IsValidIndex(Index) ? Meshes[Index] : nullptr;
-}
+UStaticMesh* FSceneAssets::GetMesh(int Index) const { return Meshes.IsValidIndex(Index) ? Meshes[Index] : nullptr; }
 
 UTexture2D* FSceneAssets::Texture(int TextureIndex, bool bColor, FString& OutError) {
     const SceneFile::FTexture& Source = Document.Textures[static_cast<std::size_t>(TextureIndex)];
@@ -102,7 +100,8 @@ UTexture2D* FSceneAssets::OcclusionRoughnessMetallic(const SceneFile::FMaterial&
     const SceneFile::FTexture& Source = Document.Textures[static_cast<std::size_t>(Rough >= 0 ? Rough : Occlusion)];
     const SceneFile::FImage& Base = Document.Images[static_cast<std::size_t>(Source.Image)];
     const SceneFile::FImage& Red = Document.Images[static_cast<std::size_t>(ImageOf(Occlusion))];
-    FString Name = NameOr(Base.Name, TEXT("Texture"), Source.Image) + TEXT("_") + NameOr(Red.Name, TEXT("Texture"), ImageOf(Occlusion));
+    FString Name = NameOr(Base.Name, TEXT("Texture"), Source.Image) + TEXT("_") +
+                   NameOr(Red.Name, TEXT("Texture"), ImageOf(Occlusion));
     if (UTexture2D** Known = Textures.Find(Name)) {
         return *Known;
     }
@@ -128,9 +127,11 @@ UTexture2D* FSceneAssets::OcclusionRoughnessMetallic(const SceneFile::FMaterial&
 }
 
 bool FSceneAssets::BuildMaterials(FString& OutError) {
-    UMaterialInterface* Surface = LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/Surface.Surface"));
+    UMaterialInterface* Surface =
+        LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/Surface.Surface"));
     if (Surface == nullptr) {
-        OutError = TEXT("/Engine/EngineMaterials/Surface.Surface cannot be loaded: the engine's content loader is not registered");
+        OutError = TEXT(
+            "/Engine/EngineMaterials/Surface.Surface cannot be loaded: the engine's content loader is not registered");
         return false;
     }
     TMap<FString, int32> Taken;
@@ -143,8 +144,9 @@ bool FSceneAssets::BuildMaterials(FString& OutError) {
             Scalars.Add(FScalarParameterValue(FMaterialParameterInfo(Name), static_cast<float>(Value)));
         };
         const auto Vector = [&Vectors](const TCHAR* Name, double R, double G, double B, double A) {
-            Vectors.Add(FVectorParameterValue(FMaterialParameterInfo(Name), FLinearColor(static_cast<float>(R), static_cast<float>(G),
-                                                                                         static_cast<float>(B), static_cast<float>(A))));
+            Vectors.Add(FVectorParameterValue(
+                FMaterialParameterInfo(Name), FLinearColor(static_cast<float>(R), static_cast<float>(G),
+                                                  static_cast<float>(B), static_cast<float>(A))));
         };
         Vector(TEXT("BaseColor"), Source.BaseColor[0], Source.BaseColor[1], Source.BaseColor[2], Source.BaseColor[3]);
         Vector(TEXT("EmissiveColor"), Source.Emissive[0], Source.Emissive[1], Source.Emissive[2], 1.0);
@@ -169,7 +171,8 @@ bool FSceneAssets::BuildMaterials(FString& OutError) {
             bGood = bGood && AddTexture(TEXT("NormalTexture"), Texture(Source.NormalTexture, false, OutError));
         }
         if (Source.MetallicRoughnessTexture >= 0 || Source.OcclusionTexture >= 0) {
-            bGood = bGood && AddTexture(TEXT("OcclusionRoughnessMetallicTexture"), OcclusionRoughnessMetallic(Source, OutError));
+            bGood = bGood &&
+                    AddTexture(TEXT("OcclusionRoughnessMetallicTexture"), OcclusionRoughnessMetallic(Source, OutError));
         }
         if (!bGood) {
             return false;
@@ -189,7 +192,8 @@ bool FSceneAssets::BuildMaterials(FString& OutError) {
         } else {
             Taken.Add(Name, 1);
         }
-        UMaterialInstanceConstant* Material = FindOrMakeAsset<UMaterialInstanceConstant>(Root / TEXT("Materials"), Name);
+        UMaterialInstanceConstant* Material =
+            FindOrMakeAsset<UMaterialInstanceConstant>(Root / TEXT("Materials"), Name);
         Material->InitializeAsset(Surface, Scalars, Vectors, TextureValues, Overrides);
         Materials.Add(Material);
     }
@@ -197,7 +201,8 @@ bool FSceneAssets::BuildMaterials(FString& OutError) {
 }
 
 bool FSceneAssets::BuildMeshes(FString& OutError) {
-    UMaterialInterface* Default = LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
+    UMaterialInterface* Default =
+        LoadObject<UMaterialInterface>(nullptr, TEXT("/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial"));
     TMap<FString, int32> Taken;
     for (std::size_t Index = 0; Index < Document.Meshes.size(); ++Index) {
         const SceneFile::FMesh& Source = Document.Meshes[Index];
@@ -210,11 +215,13 @@ bool FSceneAssets::BuildMeshes(FString& OutError) {
         UStaticMesh* Mesh = FindOrMakeAsset<UStaticMesh>(Root / TEXT("Meshes"), Name);
         TArray<FStaticMaterial> Slots;
         for (const SceneFile::FPrimitive& Primitive : Source.Primitives) {
-            UMaterialInterface* Material = Materials.IsValidIndex(Primitive.Material) ? Materials[Primitive.Material] : Default;
+            UMaterialInterface* Material =
+                Materials.IsValidIndex(Primitive.Material) ? Materials[Primitive.Material] : Default;
             const FName Base = Material ? Material->GetFName() : FName(TEXT("Material"));
             FName SlotName = Base;
-            for (int32 Number = 1; Slots.ContainsByPredicate([SlotName](const FStaticMaterial& Slot) { return Slot.MaterialSlotName == SlotName; });
-                 ++Number) {
+            for (int32 Number = 1; Slots.ContainsByPredicate(
+                     [SlotName](const FStaticMaterial& Slot) { return Slot.MaterialSlotName == SlotName; });
+                ++Number) {
                 SlotName = FName(*FString::Printf(TEXT("%s_%d"), *Base.ToString(), Number));
             }
             Slots.Add(FStaticMaterial(Material, SlotName));

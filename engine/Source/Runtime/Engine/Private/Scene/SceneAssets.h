@@ -11,8 +11,8 @@ class UStaticMesh;
 class UTexture2D;
 
 /**
- * Makes the assets of a scene: "/Game/Scenes/<scene>/Meshes/<Name>.<Name>", ".../Materials/..." and ".../Textures/...". An asset of the same path
- * and class that is in memory is filled anew.
+ * Makes the assets of a scene: "/Game/Scenes/<scene>/Meshes/<Name>.<Name>", ".../Materials/..." and ".../Textures/...".
+ * An asset of the same path and class that is in memory is filled anew.
  */
 class FSceneAssets {
 public:

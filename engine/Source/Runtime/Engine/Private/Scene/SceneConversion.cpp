@@ -9,9 +9,7 @@ FVector3f MapPosition(const float* V) {
     return FVector3f(V[0] * Scale, V[2] * Scale, V[1] * Scale);
 }
 
-FVector3f MapDirection(const float* V) {
-    return FVector3f(V[0], V[2], V[1]);
-}
+FVector3f MapDirection(const float* V) { return FVector3f(V[0], V[2], V[1]); }
 
 FVector3f UnitOr(const FVector3f& V, const FVector3f& Default) {
     const float Length = static_cast<float>(FMath::Sqrt(V.X * V.X + V.Y * V.Y + V.Z * V.Z));
@@ -24,9 +22,7 @@ FVector3f Perpendicular(const FVector3f& Normal) {
     return UnitOr(Axis - Normal * FVector3f::DotProduct(Axis, Normal), FVector3f(0.0f, 0.0f, 1.0f));
 }
 
-uint8 Channel(float Value) {
-    return static_cast<uint8>(FMath::Clamp(Value, 0.0f, 1.0f) * 255.0f + 0.5f);
-}
+uint8 Channel(float Value) { return static_cast<uint8>(FMath::Clamp(Value, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
 /** Adds one vertex of a primitive with what the primitive has. */
 void AddVertex(FStaticMeshGeometry& Out, const SceneFile::FPrimitive& In, uint32 Index, bool bSecondSet, bool bColors) {
@@ -39,14 +35,16 @@ void AddVertex(FStaticMeshGeometry& Out, const SceneFile::FPrimitive& In, uint32
         const FVector3f Direction = UnitOr(MapDirection(T), Perpendicular(Out.Normals.Last()));
         Out.Tangents.Add(FVector4f(Direction.X, Direction.Y, Direction.Z, T[3] < 0.0f ? 1.0f : -1.0f));
     }
-    Out.TexCoords0.Add(In.TexCoords0.empty() ? FVector2f(0.0f, 0.0f) : FVector2f(In.TexCoords0[2 * Index], In.TexCoords0[2 * Index + 1]));
+    Out.TexCoords0.Add(In.TexCoords0.empty() ? FVector2f(0.0f, 0.0f)
+                                             : FVector2f(In.TexCoords0[2 * Index], In.TexCoords0[2 * Index + 1]));
     if (bSecondSet) {
         Out.TexCoords1.Add(In.TexCoords1.empty() ? FVector2f(0.0f, 0.0f)
                                                  : FVector2f(In.TexCoords1[2 * Index], In.TexCoords1[2 * Index + 1]));
     }
     if (bColors) {
         const float* C = In.Colors.empty() ? nullptr : &In.Colors[4 * Index];
-        Out.Colors.Add(C ? FColor(Channel(C[0]), Channel(C[1]), Channel(C[2]), Channel(C[3])) : FColor(255, 255, 255, 255));
+        Out.Colors.Add(
+            C ? FColor(Channel(C[0]), Channel(C[1]), Channel(C[2]), Channel(C[3])) : FColor(255, 255, 255, 255));
     }
 }
 
@@ -85,13 +83,9 @@ FStaticMeshGeometry ConvertPrimitive(const SceneFile::FPrimitive& In, bool bSeco
 
 } // namespace
 
-FString ToString(const std::string& Text) {
-    return FString(UTF8_TO_TCHAR(Text.c_str()));
-}
+FString ToString(const std::string& Text) { return FString(UTF8_TO_TCHAR(Text.c_str())); }
 
-std::string ToStd(const FString& Text) {
-    return std::string(TCHAR_TO_UTF8(*Text));
-}
+std::string ToStd(const FString& Text) { return std::string(TCHAR_TO_UTF8(*Text)); }
 
 FVector Position(const std::array<double, 3>& Metres) {
     return FVector(Metres[0], Metres[2], Metres[1]) * UnitsPerMetre;
@@ -102,12 +96,11 @@ FQuat Rotation(const std::array<double, 4>& Quaternion) {
 }
 
 FTransform NodeTransform(const SceneFile::FNode& Node) {
-    return FTransform(Rotation(Node.Rotation), Position(Node.Translation), FVector(Node.Scale[0], Node.Scale[2], Node.Scale[1]));
+    return FTransform(
+        Rotation(Node.Rotation), Position(Node.Translation), FVector(Node.Scale[0], Node.Scale[2], Node.Scale[1]));
 }
 
-FQuat LookRotation() {
-    return FQuat(FRotator(0.0, -90.0, 0.0));
-}
+FQuat LookRotation() { return FQuat(FRotator(0.0, -90.0, 0.0)); }
 
 void ComputeTangents(FStaticMeshGeometry& Geometry) {
     const int32 Count = Geometry.Positions.Num();
@@ -141,7 +134,8 @@ void ComputeTangents(FStaticMeshGeometry& Geometry) {
         const FVector3f& Normal = Geometry.Normals[Index];
         const FVector3f Flat = AlongU[Index] - Normal * FVector3f::DotProduct(AlongU[Index], Normal);
         const FVector3f Tangent = UnitOr(Flat, Perpendicular(Normal));
-        const float W = FVector3f::DotProduct(FVector3f::CrossProduct(Normal, Tangent), AlongUp[Index]) < 0.0f ? -1.0f : 1.0f;
+        const float W =
+            FVector3f::DotProduct(FVector3f::CrossProduct(Normal, Tangent), AlongUp[Index]) < 0.0f ? -1.0f : 1.0f;
         Geometry.Tangents.Add(FVector4f(Tangent.X, Tangent.Y, Tangent.Z, W));
     }
 }

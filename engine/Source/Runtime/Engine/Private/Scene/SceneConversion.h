@@ -3,8 +3,8 @@
 
 // From glTF's space (metres, right-handed, Y up) to UE's (centimetres, left-handed, Z up):
 //     UE (X, Y, Z) = 100 * glTF (x, z, y)
-// The map swaps two axes, so it is a reflection. A rotation by an angle about an axis becomes one by the negative angle about the mapped axis;
-// cross products change sign, hence triangles keep their index order and tangents flip their W.
+// The map swaps two axes, so it is a reflection. A rotation by an angle about an axis becomes one by the negative angle
+// about the mapped axis; cross products change sign, hence triangles keep their index order and tangents flip their W.
 
 #include "CoreMinimal.h"
 #include "Engine/StaticMeshGeometry.h"

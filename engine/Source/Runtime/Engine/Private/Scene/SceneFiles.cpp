@@ -59,7 +59,8 @@ bool FromFolder(const FString& Folder, FSceneLoader::FSettings& Out, FString& Ou
         TArray<FString> Found;
         IFileManager::Get().FindFiles(Found, *(Folder / Pattern), true, false);
         if (Found.Num() > 1) {
-            OutError = FString::Printf(TEXT("%s holds %d scenes; name one of them, such as %s"), *Folder, Found.Num(), *(Folder / Found[0]));
+            OutError = FString::Printf(
+                TEXT("%s holds %d scenes; name one of them, such as %s"), *Folder, Found.Num(), *(Folder / Found[0]));
             return false;
         }
         if (Found.Num() == 1) {
@@ -128,8 +129,9 @@ bool FSceneLoader::ReadSceneSettings(const FString& Path, FSettings& OutSettings
             Known += (Known.IsEmpty() ? TEXT("") : TEXT(", ")) + Name;
         }
     }
-    OutError = FString::Printf(TEXT("there is no scene '%s': no such file, and no folder of that name in %s. Known scenes: %s"), *Path,
-                               Searched.IsEmpty() ? TEXT("(no content folder; set SPEAR_CONTENT_DIR)") : *Searched,
-                               Known.IsEmpty() ? TEXT("none") : *Known);
+    OutError = FString::Printf(
+        TEXT("there is no scene '%s': no such file, and no folder of that name in %s. Known scenes: %s"), *Path,
+        Searched.IsEmpty() ? TEXT("(no content folder; set SPEAR_CONTENT_DIR)") : *Searched,
+        Known.IsEmpty() ? TEXT("none") : *Known);
     return false;
 }

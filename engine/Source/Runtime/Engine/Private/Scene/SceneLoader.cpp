@@ -46,9 +46,7 @@ class FSceneBuilder {
 public:
     FSceneBuilder(UWorld* InWorld, const FSceneLoader::FSettings& InSettings) : World(InWorld), Settings(InSettings) {}
 
-    bool Run(FString& OutError) {
-        return Read(OutError) && Plan(OutError) && Spawn(OutError);
-    }
+    bool Run(FString& OutError) { return Read(OutError) && Plan(OutError) && Spawn(OutError); }
 
 private:
     bool Fault(const FString& Where, const FString& Text, FString& OutError) const {
@@ -59,7 +57,8 @@ private:
 
     bool Read(FString& OutError) {
         std::string Error;
-        if (!Settings.SidecarPath.IsEmpty() && !SceneFile::ReadSidecar(SceneConversion::ToStd(Settings.SidecarPath), Sidecar, Error)) {
+        if (!Settings.SidecarPath.IsEmpty() &&
+            !SceneFile::ReadSidecar(SceneConversion::ToStd(Settings.SidecarPath), Sidecar, Error)) {
             OutError = ToString(Error);
             return false;
         }
@@ -93,9 +92,10 @@ private:
             return Fault(Where, FString::Printf(TEXT("there is no class '%s' in this engine"), *Name), OutError);
         }
         if (!OutClass->IsChildOf(AActor::StaticClass()) || OutClass->HasAnyClassFlags(CLASS_Abstract)) {
-            return Fault(Where, FString::Printf(TEXT("class '%s' is %s, so it cannot be placed"), *Name,
-                                                OutClass->IsChildOf(AActor::StaticClass()) ? TEXT("abstract") : TEXT("not an actor")),
-                         OutError);
+            return Fault(Where,
+                FString::Printf(TEXT("class '%s' is %s, so it cannot be placed"), *Name,
+                    OutClass->IsChildOf(AActor::StaticClass()) ? TEXT("abstract") : TEXT("not an actor")),
+                OutError);
         }
         return true;
     }
@@ -134,10 +134,12 @@ private:
             FPlannedActor Actor;
             Actor.Entry = Found == Sidecar.Nodes.end() ? nullptr : &Found->second;
             Actor.Node = static_cast<int32>(Index);
-            Actor.Name = Node.Name.empty() ? FString::Printf(TEXT("Node_%d"), Actor.Node) : SceneAssetNames::Clean(NodeName);
+            Actor.Name =
+                Node.Name.empty() ? FString::Printf(TEXT("Node_%d"), Actor.Node) : SceneAssetNames::Clean(NodeName);
             const FString Where = FString::Printf(TEXT("node '%s'"), *Actor.Name);
             Actor.Class = DefaultClass(Node);
-            if (Actor.Entry && !Actor.Entry->Class.empty() && !ResolveClass(Actor.Entry->Class, Where, Actor.Class, OutError)) {
+            if (Actor.Entry && !Actor.Entry->Class.empty() &&
+                !ResolveClass(Actor.Entry->Class, Where, Actor.Class, OutError)) {
                 return false;
             }
             const FString ParentGroup = Node.Parent >= 0 ? Groups[Node.Parent] : FString();
@@ -149,7 +151,10 @@ private:
             Groups.Add(ParentGroup);
             Actor.Folder = Actor.Entry && !Actor.Entry->Folder.empty() ? ToString(Actor.Entry->Folder) : ParentGroup;
             if (Names.Contains(FName(*Actor.Name))) {
-                return Fault(Where, TEXT("there are two nodes of this name (names are compared without case); actors need unique names"), OutError);
+                return Fault(Where,
+                    TEXT(
+                        "there are two nodes of this name (names are compared without case); actors need unique names"),
+                    OutError);
             }
             Names.Add(FName(*Actor.Name));
             Actor.Transform = WorldTransforms.Last();
@@ -158,7 +163,7 @@ private:
                 Actor.Transform.SetScale3D(FVector(1.0, 1.0, 1.0));
             }
             for (int Ancestor = Node.Parent; Ancestor >= 0 && Actor.Parent == INDEX_NONE;
-                 Ancestor = Document.Nodes[static_cast<std::size_t>(Ancestor)].Parent) {
+                Ancestor = Document.Nodes[static_cast<std::size_t>(Ancestor)].Parent) {
                 Actor.Parent = PlanOfNode[Ancestor];
             }
             PlanOfNode.Last() = Planned.Num();
@@ -167,7 +172,7 @@ private:
         for (const auto& Item : Sidecar.Nodes) {
             if (!Seen.Contains(ToString(Item.first))) {
                 return Fault(FString::Printf(TEXT("node '%s'"), *ToString(Item.first)),
-                             FString::Printf(TEXT("%s has no node of this name"), *Settings.GltfPath), OutError);
+                    FString::Printf(TEXT("%s has no node of this name"), *Settings.GltfPath), OutError);
             }
         }
         return PlanSidecarActors(Names, OutError);
@@ -181,20 +186,22 @@ private:
             Actor.Folder = ToString(Entry.Folder);
             const FString Where = FString::Printf(TEXT("actor '%s'"), *Actor.Name);
             if (Names.Contains(FName(*Actor.Name))) {
-                return Fault(Where, TEXT("there is a node or actor of this name already; actors need unique names"), OutError);
+                return Fault(
+                    Where, TEXT("there is a node or actor of this name already; actors need unique names"), OutError);
             }
             Names.Add(FName(*Actor.Name));
             if (!ResolveClass(Entry.Class, Where, Actor.Class, OutError)) {
                 return false;
             }
             Actor.Transform = FTransform(FQuat(FRotator(Entry.Rotation[0], Entry.Rotation[1], Entry.Rotation[2])),
-                                         FVector(Entry.Location[0], Entry.Location[1], Entry.Location[2]),
-                                         FVector(Entry.Scale[0], Entry.Scale[1], Entry.Scale[2]));
+                FVector(Entry.Location[0], Entry.Location[1], Entry.Location[2]),
+                FVector(Entry.Scale[0], Entry.Scale[1], Entry.Scale[2]));
             Planned.Add(Actor);
         }
         for (const FPlannedActor& Actor : Planned) {
             if (StaticFindObjectFast(UObject::StaticClass(), World->GetCurrentLevel(), FName(*Actor.Name)) != nullptr) {
-                return Fault(FString::Printf(TEXT("actor '%s'"), *Actor.Name), TEXT("the level has an object of this name already"), OutError);
+                return Fault(FString::Printf(TEXT("actor '%s'"), *Actor.Name),
+                    TEXT("the level has an object of this name already"), OutError);
             }
         }
         return true;
@@ -223,7 +230,8 @@ private:
             AActor* Actor = World->SpawnActor(Plan.Class, &Plan.Transform, Parameters);
             if (Actor == nullptr) {
                 Fault(FString::Printf(TEXT("actor '%s'"), *Plan.Name),
-                      FString::Printf(TEXT("the world refused to spawn an actor of class %s"), *Plan.Class->GetName()), OutError);
+                    FString::Printf(TEXT("the world refused to spawn an actor of class %s"), *Plan.Class->GetName()),
+                    OutError);
                 return Undo();
             }
             Actors.Add(Actor);
@@ -237,12 +245,14 @@ private:
         }
         for (int32 Index = 0; Index < Planned.Num(); ++Index) {
             if (Planned[Index].Parent != INDEX_NONE) {
-                Actors[Index]->AttachToActor(Actors[Planned[Index].Parent], FAttachmentTransformRules::KeepWorldTransform);
+                Actors[Index]->AttachToActor(
+                    Actors[Planned[Index].Parent], FAttachmentTransformRules::KeepWorldTransform);
             }
         }
         for (const auto& Setting : Sidecar.WorldSettings) {
             FString Error;
-            if (!SetPropertyByPath(World->GetWorldSettings(), ToString(Setting.first), ToString(Setting.second), Error)) {
+            if (!SetPropertyByPath(
+                    World->GetWorldSettings(), ToString(Setting.first), ToString(Setting.second), Error)) {
                 Fault(TEXT("world_settings"), Error, OutError);
                 return Undo();
             }
@@ -252,7 +262,8 @@ private:
 
     bool SetUp(AActor* Actor, const FPlannedActor& Plan, const FSceneAssets& Assets, FString& OutError) {
         const FString Where = FString::Printf(TEXT("actor '%s'"), *Plan.Name);
-        if (Plan.Node != INDEX_NONE && !SetUpContent(Actor, Document.Nodes[static_cast<std::size_t>(Plan.Node)], Where, Assets, OutError)) {
+        if (Plan.Node != INDEX_NONE &&
+            !SetUpContent(Actor, Document.Nodes[static_cast<std::size_t>(Plan.Node)], Where, Assets, OutError)) {
             return false;
         }
         USceneComponent* Root = Actor->GetRootComponent();
@@ -283,22 +294,25 @@ private:
         return true;
     }
 
-    bool SetUpContent(AActor* Actor, const SceneFile::FNode& Node, const FString& Where, const FSceneAssets& Assets, FString& OutError) {
+    bool SetUpContent(AActor* Actor, const SceneFile::FNode& Node, const FString& Where, const FSceneAssets& Assets,
+        FString& OutError) {
         if (Node.Mesh >= 0) {
             UStaticMeshComponent* Component = Actor->FindComponentByClass<UStaticMeshComponent>();
             if (Component == nullptr) {
-                return Fault(Where, FString::Printf(TEXT("its node has a mesh, but class %s has no static mesh component"),
-                                                    *Actor->GetClass()->GetName()),
-                             OutError);
+                return Fault(Where,
+                    FString::Printf(TEXT("its node has a mesh, but class %s has no static mesh component"),
+                        *Actor->GetClass()->GetName()),
+                    OutError);
             }
             Component->SetStaticMesh(Assets.GetMesh(Node.Mesh));
         }
         if (Node.Light >= 0 && Node.Mesh < 0) {
             ULightComponent* Component = Actor->FindComponentByClass<ULightComponent>();
             if (Component == nullptr) {
-                return Fault(Where, FString::Printf(TEXT("its node has a light, but class %s has no light component"),
-                                                    *Actor->GetClass()->GetName()),
-                             OutError);
+                return Fault(Where,
+                    FString::Printf(TEXT("its node has a light, but class %s has no light component"),
+                        *Actor->GetClass()->GetName()),
+                    OutError);
             }
             SetUpLight(Component, Document.Lights[static_cast<std::size_t>(Node.Light)]);
         }
@@ -312,11 +326,12 @@ private:
 
     static void SetUpLight(ULightComponent* Component, const SceneFile::FLight& Light) {
         Component->SetLightColor(FLinearColor(static_cast<float>(Light.Color[0]), static_cast<float>(Light.Color[1]),
-                                              static_cast<float>(Light.Color[2])));
+            static_cast<float>(Light.Color[2])));
         if (ULocalLightComponent* Local = Cast<ULocalLightComponent>(Component)) {
             Local->SetIntensityUnits(ELightUnits::Candelas);
             // Without a range the light ends where it has fallen to a hundredth of a lux.
-            const double Range = Light.Range > 0.0 ? Light.Range : FMath::Sqrt(FMath::Max(Light.Intensity, 0.01) / 0.01);
+            const double Range =
+                Light.Range > 0.0 ? Light.Range : FMath::Sqrt(FMath::Max(Light.Intensity, 0.01) / 0.01);
             Local->SetAttenuationRadius(static_cast<float>(Range * SceneConversion::UnitsPerMetre));
         }
         Component->SetIntensity(static_cast<float>(Light.Intensity));
@@ -352,6 +367,11 @@ bool FSceneLoader::LoadScene(UWorld* World, const FString& Path, FString& OutErr
     if (World == nullptr) {
         OutError = TEXT("there is no world to load a scene into");
         return false;
+    }
+    for (auto It = FolderPaths().CreateIterator(); It; ++It) {
+        if (!It.Key().IsValid()) {
+            It.RemoveCurrent();
+        }
     }
     FSettings Settings;
     return ReadSceneSettings(Path, Settings, OutError) && FSceneBuilder(World, Settings).Run(OutError);

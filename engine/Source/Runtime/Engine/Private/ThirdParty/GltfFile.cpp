@@ -45,17 +45,20 @@ struct FFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-[[noreturn]] void Fail(const std::string& Text) {
-    throw FFault(Text);
-}
+[[noreturn]] void Fail(const std::string& Text) { throw FFault(Text); }
 
 std::string Quoted(const std::string& Kind, const std::string& Name, std::size_t Index) {
     return Kind + " " + (Name.empty() ? "#" + std::to_string(Index) : "'" + Name + "'");
 }
 
 const std::array<const char*, 7> SupportedExtensions = {
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_texture_transform", "KHR_mesh_quantization",
-    "KHR_materials_specular",  "KHR_materials_ior",               "KHR_materials_unlit",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_texture_transform",
+    "KHR_mesh_quantization",
+    "KHR_materials_specular",
+    "KHR_materials_ior",
+    "KHR_materials_unlit",
 };
 
 double Number(const tinygltf::Value& Object, const char* Key, double Default) {
@@ -86,7 +89,8 @@ public:
             Fail(Where + " refers to buffer " + std::to_string(View.buffer) + ", which does not exist");
         }
         const tinygltf::Buffer& Buffer = InModel.buffers[static_cast<std::size_t>(View.buffer)];
-        const int ComponentSize = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(Accessor->componentType));
+        const int ComponentSize =
+            tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(Accessor->componentType));
         Components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(Accessor->type));
         if (ComponentSize <= 0 || Components <= 0 || Components > 4) {
             Fail(Where + " has a component type or an element type that does not belong there");
@@ -95,22 +99,19 @@ public:
         Stride = View.byteStride != 0 ? View.byteStride : ElementSize;
         const std::size_t ViewEnd = View.byteOffset + View.byteLength;
         const std::size_t Start = View.byteOffset + Accessor->byteOffset;
-        if (View.byteOffset > Buffer.data.size() || View.byteLength > Buffer.data.size() - View.byteOffset || Stride < ElementSize ||
-            Accessor->byteOffset > View.byteLength ||
-            (Accessor->count > 0 && (ElementSize > ViewEnd - Start || Accessor->count - 1 > (ViewEnd - Start - ElementSize) / Stride))) {
+        if (View.byteOffset > Buffer.data.size() || View.byteLength > Buffer.data.size() - View.byteOffset ||
+            Stride < ElementSize || Accessor->byteOffset > View.byteLength ||
+            (Accessor->count > 0 &&
+                (ElementSize > ViewEnd - Start || Accessor->count - 1 > (ViewEnd - Start - ElementSize) / Stride))) {
             Fail(Where + " reads beyond the end of its buffer (" + std::to_string(Accessor->count) + " elements of " +
                  std::to_string(ElementSize) + " bytes, the buffer has " + std::to_string(Buffer.data.size()) + ")");
         }
         Bytes = Buffer.data.data() + Start;
     }
 
-    std::size_t Count() const {
-        return Accessor->count;
-    }
+    std::size_t Count() const { return Accessor->count; }
 
-    int NumComponents() const {
-        return Components;
-    }
+    int NumComponents() const { return Components; }
 
     double Value(std::size_t Element, int Component, bool bForceNormalized) const {
         const unsigned char* Place = Bytes + Element * Stride;
@@ -125,11 +126,14 @@ public:
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
             return Load<std::uint32_t>(Place, Component);
         case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return bScale ? std::max(Load<std::int8_t>(Place, Component) / 127.0, -1.0) : Load<std::int8_t>(Place, Component);
+            return bScale ? std::max(Load<std::int8_t>(Place, Component) / 127.0, -1.0)
+                          : Load<std::int8_t>(Place, Component);
         case TINYGLTF_COMPONENT_TYPE_SHORT:
-            return bScale ? std::max(Load<std::int16_t>(Place, Component) / 32767.0, -1.0) : Load<std::int16_t>(Place, Component);
+            return bScale ? std::max(Load<std::int16_t>(Place, Component) / 32767.0, -1.0)
+                          : Load<std::int16_t>(Place, Component);
         default:
-            Fail(Where + " has component type " + std::to_string(Accessor->componentType) + ", which does not belong there");
+            Fail(Where + " has component type " + std::to_string(Accessor->componentType) +
+                 ", which does not belong there");
         }
     }
 
@@ -149,14 +153,15 @@ private:
 };
 
 std::vector<float> ReadVectors(const tinygltf::Model& Model, int Accessor, int Components, std::size_t ExpectedCount,
-                               const std::string& Where, bool bForceNormalized = false) {
+    const std::string& Where, bool bForceNormalized = false) {
     const FAccessorReader Reader(Model, Accessor, Where);
     if (Reader.NumComponents() != Components) {
-        Fail(Where + " has " + std::to_string(Reader.NumComponents()) + " components, expected " + std::to_string(Components));
+        Fail(Where + " has " + std::to_string(Reader.NumComponents()) + " components, expected " +
+             std::to_string(Components));
     }
     if (ExpectedCount != 0 && Reader.Count() != ExpectedCount) {
-        Fail(Where + " has " + std::to_string(Reader.Count()) + " elements, but there are " + std::to_string(ExpectedCount) +
-             " positions");
+        Fail(Where + " has " + std::to_string(Reader.Count()) + " elements, but there are " +
+             std::to_string(ExpectedCount) + " positions");
     }
     std::vector<float> Result;
     Result.reserve(Reader.Count() * static_cast<std::size_t>(Components));
@@ -221,10 +226,12 @@ FPrimitive ReadPrimitive(const tinygltf::Model& Model, const tinygltf::Primitive
     }
     if (Attribute("COLOR_0") >= 0) {
         const int Components = FAccessorReader(Model, Attribute("COLOR_0"), Where + " COLOR_0").NumComponents();
-        std::vector<float> Colors = ReadVectors(Model, Attribute("COLOR_0"), Components, Count, Where + " COLOR_0", true);
+        std::vector<float> Colors =
+            ReadVectors(Model, Attribute("COLOR_0"), Components, Count, Where + " COLOR_0", true);
         if (Components == 3) {
             for (std::size_t Index = 0; Index < Count; ++Index) {
-                Result.Colors.insert(Result.Colors.end(), {Colors[3 * Index], Colors[3 * Index + 1], Colors[3 * Index + 2], 1.0f});
+                Result.Colors.insert(
+                    Result.Colors.end(), {Colors[3 * Index], Colors[3 * Index + 1], Colors[3 * Index + 2], 1.0f});
             }
         } else {
             Result.Colors = std::move(Colors);
@@ -240,8 +247,8 @@ FPrimitive ReadPrimitive(const tinygltf::Model& Model, const tinygltf::Primitive
         for (std::size_t Element = 0; Element < Reader.Count(); ++Element) {
             const double Value = Reader.Value(Element, 0, false);
             if (!(Value >= 0.0 && Value < static_cast<double>(Count))) {
-                Fail(Where + " has vertex index " + std::to_string(static_cast<long long>(Value)) + ", but only " + std::to_string(Count) +
-                     " vertices");
+                Fail(Where + " has vertex index " + std::to_string(static_cast<long long>(Value)) + ", but only " +
+                     std::to_string(Count) + " vertices");
             }
             Indices.push_back(static_cast<std::uint32_t>(Value));
         }
@@ -281,7 +288,9 @@ FMaterial ReadMaterial(const tinygltf::Model& Model, const tinygltf::Material& S
     Result.OcclusionStrength = Source.occlusionTexture.strength;
     Result.AlphaCutoff = Source.alphaCutoff;
     Result.bDoubleSided = Source.doubleSided;
-    Result.Alpha = Source.alphaMode == "BLEND" ? EAlpha::Blend : Source.alphaMode == "MASK" ? EAlpha::Mask : EAlpha::Opaque;
+    Result.Alpha = Source.alphaMode == "BLEND"  ? EAlpha::Blend
+                   : Source.alphaMode == "MASK" ? EAlpha::Mask
+                                                : EAlpha::Opaque;
     Result.BaseColorTexture = TextureIndex(Model, Pbr.baseColorTexture.index, Where);
     Result.MetallicRoughnessTexture = TextureIndex(Model, Pbr.metallicRoughnessTexture.index, Where);
     Result.OcclusionTexture = TextureIndex(Model, Source.occlusionTexture.index, Where);
@@ -291,17 +300,20 @@ FMaterial ReadMaterial(const tinygltf::Model& Model, const tinygltf::Material& S
         const auto Found = Map.find(Name);
         return Found == Map.end() ? tinygltf::Value() : Found->second;
     };
-    const double Strength = Number(Extension(Source.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
+    const double Strength =
+        Number(Extension(Source.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
     for (double& Channel : Result.Emissive) {
         Channel *= Strength;
     }
     const double Ior = Number(Extension(Source.extensions, "KHR_materials_ior"), "ior", 1.5);
     const double Reflectance = (Ior - 1.0) / (Ior + 1.0) * ((Ior - 1.0) / (Ior + 1.0));
     // UE's Specular 0.5 is a reflectance of 0.04.
-    Result.Specular = std::clamp(Reflectance / 0.08, 0.0, 1.0) * Number(Extension(Source.extensions, "KHR_materials_specular"), "specularFactor", 1.0);
+    Result.Specular = std::clamp(Reflectance / 0.08, 0.0, 1.0) *
+                      Number(Extension(Source.extensions, "KHR_materials_specular"), "specularFactor", 1.0);
     const tinygltf::Value Transform = Extension(Pbr.baseColorTexture.extensions, "KHR_texture_transform");
     for (const char* Key : {"scale", "offset"}) {
-        if (Transform.IsObject() && Transform.Has(Key) && Transform.Get(Key).IsArray() && Transform.Get(Key).ArrayLen() == 2) {
+        if (Transform.IsObject() && Transform.Has(Key) && Transform.Get(Key).IsArray() &&
+            Transform.Get(Key).ArrayLen() == 2) {
             auto& Target = std::strcmp(Key, "scale") == 0 ? Result.UVScale : Result.UVOffset;
             for (int Index = 0; Index < 2; ++Index) {
                 Target[static_cast<std::size_t>(Index)] = Transform.Get(Key).Get(Index).GetNumberAsDouble();
@@ -391,8 +403,8 @@ FNode ReadNode(const tinygltf::Model& Model, const tinygltf::Node& Source, const
         Length += Value * Value;
     }
     Length = std::sqrt(Length);
-    for (const double Value : {Result.Translation[0], Result.Translation[1], Result.Translation[2], Result.Scale[0], Result.Scale[1],
-                               Result.Scale[2], Length}) {
+    for (const double Value : {Result.Translation[0], Result.Translation[1], Result.Translation[2], Result.Scale[0],
+             Result.Scale[1], Result.Scale[2], Length}) {
         if (!std::isfinite(Value)) {
             Fail(Where + " has a transform that is not finite");
         }
@@ -405,7 +417,8 @@ FNode ReadNode(const tinygltf::Model& Model, const tinygltf::Node& Source, const
     }
     const auto Check = [&Where](int Index, std::size_t Size, const char* Kind) {
         if (Index >= static_cast<int>(Size)) {
-            Fail(Where + " refers to " + Kind + " " + std::to_string(Index) + ", but the file has " + std::to_string(Size));
+            Fail(Where + " refers to " + Kind + " " + std::to_string(Index) + ", but the file has " +
+                 std::to_string(Size));
         }
         return Index < 0 ? -1 : Index;
     };
@@ -443,7 +456,8 @@ void ReadNodes(const tinygltf::Model& Model, FDocument& Document) {
         const FVisit Visit = Stack.back();
         Stack.pop_back();
         if (Visit.Node < 0 || static_cast<std::size_t>(Visit.Node) >= Model.nodes.size()) {
-            Fail("the scene refers to node " + std::to_string(Visit.Node) + ", but the file has " + std::to_string(Model.nodes.size()));
+            Fail("the scene refers to node " + std::to_string(Visit.Node) + ", but the file has " +
+                 std::to_string(Model.nodes.size()));
         }
         const auto Index = static_cast<std::size_t>(Visit.Node);
         const tinygltf::Node& Source = Model.nodes[Index];
@@ -467,15 +481,16 @@ void DecodeImages(std::vector<FImage>& Images) {
         for (std::size_t Index = Next++; Index < Images.size(); Index = Next++) {
             FImage& Image = Images[Index];
             int Channels = 0;
-            stbi_uc* Pixels = stbi_load_from_memory(Image.Encoded.data(), static_cast<int>(Image.Encoded.size()), &Image.Width,
-                                                    &Image.Height, &Channels, 4);
+            stbi_uc* Pixels = stbi_load_from_memory(Image.Encoded.data(), static_cast<int>(Image.Encoded.size()),
+                &Image.Width, &Image.Height, &Channels, 4);
             if (Pixels == nullptr) {
                 const char* Reason = stbi_failure_reason();
                 Errors[Index] = Quoted("image", Image.Name, Index) + " is not a PNG or JPEG image that can be read (" +
                                 (Reason != nullptr ? Reason : "unknown") + ")";
                 continue;
             }
-            Image.Pixels.assign(Pixels, Pixels + static_cast<std::size_t>(Image.Width) * static_cast<std::size_t>(Image.Height) * 4);
+            Image.Pixels.assign(
+                Pixels, Pixels + static_cast<std::size_t>(Image.Width) * static_cast<std::size_t>(Image.Height) * 4);
             stbi_image_free(Pixels);
             Image.Encoded = {};
         }
@@ -497,11 +512,14 @@ void DecodeImages(std::vector<FImage>& Images) {
 }
 
 EWrap Wrap(int Mode) {
-    return Mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE ? EWrap::Clamp : Mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? EWrap::Mirror : EWrap::Repeat;
+    return Mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? EWrap::Clamp
+           : Mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? EWrap::Mirror
+                                                           : EWrap::Repeat;
 }
 
 /** tinygltf's callback: keeps the bytes, DecodeImages decodes them later. */
-bool KeepEncoded(tinygltf::Image* Image, const int, std::string*, std::string*, int, int, const unsigned char* Bytes, int Size, void*) {
+bool KeepEncoded(tinygltf::Image* Image, const int, std::string*, std::string*, int, int, const unsigned char* Bytes,
+    int Size, void*) {
     Image->image.assign(Bytes, Bytes + Size);
     Image->width = Image->height = 1;
     Image->component = 4;
@@ -565,7 +583,8 @@ void Parse(const std::string& Path, tinygltf::Model& Model) {
             std::memcpy(&JsonSize, &Bytes[12], sizeof(JsonSize));
             CheckNesting(&Bytes[JsonStart], std::min<std::size_t>(JsonSize, Bytes.size() - JsonStart));
         }
-        bRead = Loader.LoadBinaryFromMemory(&Model, &Error, &Warning, reinterpret_cast<const unsigned char*>(Bytes.data()), Size, Folder);
+        bRead = Loader.LoadBinaryFromMemory(
+            &Model, &Error, &Warning, reinterpret_cast<const unsigned char*>(Bytes.data()), Size, Folder);
     } else {
         CheckNesting(Bytes.data(), Bytes.size());
         bRead = Loader.LoadASCIIFromString(&Model, &Error, &Warning, Bytes.data(), Size, Folder);
@@ -603,12 +622,14 @@ void Convert(tinygltf::Model& Model, FDocument& Document) {
         FTexture Texture;
         Texture.Name = Source.name;
         if (Source.source < 0 || static_cast<std::size_t>(Source.source) >= Document.Images.size()) {
-            Fail(Quoted("texture", Source.name, Index) + " refers to image " + std::to_string(Source.source) + ", which does not exist");
+            Fail(Quoted("texture", Source.name, Index) + " refers to image " + std::to_string(Source.source) +
+                 ", which does not exist");
         }
         Texture.Image = Source.source;
         if (Source.sampler >= 0) {
             if (static_cast<std::size_t>(Source.sampler) >= Model.samplers.size()) {
-                Fail(Quoted("texture", Source.name, Index) + " refers to sampler " + std::to_string(Source.sampler) + ", which does not exist");
+                Fail(Quoted("texture", Source.name, Index) + " refers to sampler " + std::to_string(Source.sampler) +
+                     ", which does not exist");
             }
             const tinygltf::Sampler& Sampler = Model.samplers[static_cast<std::size_t>(Source.sampler)];
             Texture.WrapU = Wrap(Sampler.wrapS);
@@ -618,7 +639,8 @@ void Convert(tinygltf::Model& Model, FDocument& Document) {
         Document.Textures.push_back(std::move(Texture));
     }
     for (std::size_t Index = 0; Index < Model.materials.size(); ++Index) {
-        Document.Materials.push_back(ReadMaterial(Model, Model.materials[Index], Quoted("material", Model.materials[Index].name, Index)));
+        Document.Materials.push_back(
+            ReadMaterial(Model, Model.materials[Index], Quoted("material", Model.materials[Index].name, Index)));
     }
     for (std::size_t Index = 0; Index < Model.meshes.size(); ++Index) {
         const tinygltf::Mesh& Source = Model.meshes[Index];
@@ -626,7 +648,7 @@ void Convert(tinygltf::Model& Model, FDocument& Document) {
         Mesh.Name = Source.name;
         for (std::size_t Primitive = 0; Primitive < Source.primitives.size(); ++Primitive) {
             Mesh.Primitives.push_back(ReadPrimitive(Model, Source.primitives[Primitive],
-                                                    Quoted("mesh", Source.name, Index) + " primitive " + std::to_string(Primitive)));
+                Quoted("mesh", Source.name, Index) + " primitive " + std::to_string(Primitive)));
         }
         Document.Meshes.push_back(std::move(Mesh));
     }

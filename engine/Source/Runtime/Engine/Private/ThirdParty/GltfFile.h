@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A glTF 2.0 file as plain data: standard C++ only, so that the parser needs no engine header and the engine no parser header.
+// A glTF 2.0 file as plain data: standard C++ only, so that the parser needs no engine header and the engine no parser
+// header.
 
 #include <array>
 #include <cstdint>
@@ -117,7 +118,8 @@ struct FDocument {
 };
 
 /**
- * Reads a .gltf or .glb file completely: buffers are bounds-checked, images decoded (on several threads), indices validated.
+ * Reads a .gltf or .glb file completely: buffers are bounds-checked, images decoded (on several threads), indices
+ * validated.
  *
  * @return false with a text in OutError naming the file and, where there is one, the mesh or node, and what was wrong.
  */

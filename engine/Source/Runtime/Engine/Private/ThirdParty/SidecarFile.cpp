@@ -16,9 +16,7 @@ namespace {
 
 using FJson = nlohmann::ordered_json;
 
-[[noreturn]] void Fail(const std::string& Text) {
-    throw std::runtime_error(Text);
-}
+[[noreturn]] void Fail(const std::string& Text) { throw std::runtime_error(Text); }
 
 void CheckKeys(const FJson& Object, const std::string& Where, std::initializer_list<std::string_view> Known) {
     if (!Object.is_object()) {
@@ -64,7 +62,8 @@ std::vector<std::string> Strings(const FJson& Object, const char* Key, const std
     return Result;
 }
 
-std::array<double, 3> Triple(const FJson& Object, const char* Key, std::array<double, 3> Default, const std::string& Where) {
+std::array<double, 3> Triple(
+    const FJson& Object, const char* Key, std::array<double, 3> Default, const std::string& Where) {
     if (!Object.contains(Key)) {
         return Default;
     }
@@ -82,7 +81,8 @@ std::array<double, 3> Triple(const FJson& Object, const char* Key, std::array<do
 }
 
 /** Values become the text that UE's property import reads. */
-std::vector<std::pair<std::string, std::string>> Properties(const FJson& Object, const char* Key, const std::string& Where) {
+std::vector<std::pair<std::string, std::string>> Properties(
+    const FJson& Object, const char* Key, const std::string& Where) {
     std::vector<std::pair<std::string, std::string>> Result;
     if (!Object.contains(Key)) {
         return Result;
@@ -99,7 +99,8 @@ std::vector<std::pair<std::string, std::string>> Properties(const FJson& Object,
         } else if (Value.is_number()) {
             Result.emplace_back(Item.key(), Value.dump());
         } else {
-            Fail(Where + ": property '" + Item.key() + "' is not a string, number or boolean; write structs as UE text, such as \"(X=1,Y=2,Z=3)\"");
+            Fail(Where + ": property '" + Item.key() +
+                 "' is not a string, number or boolean; write structs as UE text, such as \"(X=1,Y=2,Z=3)\"");
         }
     }
     return Result;
@@ -109,7 +110,9 @@ FActorEntry Entry(const FJson& Object, const std::string& Where, bool bNode) {
     if (bNode) {
         CheckKeys(Object, Where, {"class", "tags", "component_tags", "mobility", "folder", "properties"});
     } else {
-        CheckKeys(Object, Where, {"name", "class", "tags", "component_tags", "mobility", "folder", "properties", "location", "rotation", "scale"});
+        CheckKeys(Object, Where,
+            {"name", "class", "tags", "component_tags", "mobility", "folder", "properties", "location", "rotation",
+                "scale"});
     }
     FActorEntry Result;
     Result.Name = String(Object, "name", Where);
@@ -117,7 +120,8 @@ FActorEntry Entry(const FJson& Object, const std::string& Where, bool bNode) {
     Result.Tags = Strings(Object, "tags", Where);
     Result.ComponentTags = Strings(Object, "component_tags", Where);
     Result.Mobility = String(Object, "mobility", Where);
-    if (!Result.Mobility.empty() && Result.Mobility != "Static" && Result.Mobility != "Stationary" && Result.Mobility != "Movable") {
+    if (!Result.Mobility.empty() && Result.Mobility != "Static" && Result.Mobility != "Stationary" &&
+        Result.Mobility != "Movable") {
         Fail(Where + ": mobility is '" + Result.Mobility + "'; expected Static, Stationary or Movable");
     }
     Result.Folder = String(Object, "folder", Where);
@@ -129,7 +133,8 @@ FActorEntry Entry(const FJson& Object, const std::string& Where, bool bNode) {
 }
 
 FSidecar Parse(const FJson& Document) {
-    CheckKeys(Document, "the document", {"format", "version", "name", "gltf", "game_mode", "world_settings", "actors", "nodes", "description"});
+    CheckKeys(Document, "the document",
+        {"format", "version", "name", "gltf", "game_mode", "world_settings", "actors", "nodes", "description"});
     if (String(Document, "format", "the document") != "spear-scene") {
         Fail("'format' is not \"spear-scene\"");
     }

@@ -237,8 +237,8 @@ public:
     bool HasBeenInitialized() const { return bHasBeenInitialized; }
     /** Indicates that OnComponentCreated has been called. */
     bool HasBeenCreated() const { return bHasBeenCreated; }
-    /** Tracks whether the component has been added to the world's tick. */
-    bool IsReadyForOwnerToAutoDestroy() const { return true; }
+    /** Whether an owner with bAutoDestroyWhenFinished may destroy itself as far as this component is concerned. */
+    virtual bool IsReadyForOwnerToAutoDestroy() const { return true; }
 
     // ---------------------------------------------------------------------------------------------------- registration
 

@@ -10,7 +10,8 @@ class USceneComponent;
 class UStaticMeshComponent;
 
 /**
- * Three arrows that show where an actor is and how it is turned: X red, Y green, Z blue, each 100 centimetres long at scale 1.
+ * Three arrows that show where an actor is and how it is turned: X red, Y green, Z blue, each 100 centimetres long at
+ * scale 1.
  *
  * Embedded engine only. The arrows are UStaticMeshComponents below a plain root component, with the mesh
  * "/Engine/BasicShapes/Arrow.Arrow" (along +X) and unlit-looking emissive materials.

@@ -243,7 +243,7 @@ public:
      *
      * Map names: a scene name ("apartment"), the path of its world ("/Game/Scenes/apartment" or
      * "/Game/Scenes/apartment.apartment"), a glTF file, or "/Engine/Maps/Entry" (an empty world). A map that cannot be
-     * found or read leaves the old world running.
+     * found leaves the old world running; a scene that cannot be read leaves an empty world.
      *
      * @param Pending must be null: there is no network.
      * @param Error why not.

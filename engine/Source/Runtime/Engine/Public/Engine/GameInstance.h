@@ -39,7 +39,7 @@ public:
     UGameInstance(const FObjectInitializer& ObjectInitializer = FObjectInitializer::Get());
     virtual ~UGameInstance();
 
-    /** Class to manage latent actions within instance class. */
+    /** Called when a local player was added to, or removed from, the game. */
     FOnLocalPlayerEvent OnLocalPlayerAddedEvent;
     FOnLocalPlayerEvent OnLocalPlayerRemovedEvent;
 
@@ -53,7 +53,7 @@ public:
     /** Starts the game: broadcasts OnStartGameInstance and calls OnStart. The engine loads the map. */
     virtual void StartGameInstance();
 
-    /** Opportunity for GameInstances to handle custom GameInstance events, once a map is loaded. */
+    /** Opportunity for blueprints to handle the game instance being initialised. */
     UFUNCTION(BlueprintImplementableEvent, meta = (DisplayName = "Init"))
     void ReceiveInit();
     /** Opportunity for blueprints to handle the game instance being shutdown. */

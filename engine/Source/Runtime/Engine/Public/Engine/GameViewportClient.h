@@ -35,11 +35,6 @@ public:
     UPROPERTY()
     TObjectPtr<UGameInstance> GameInstance;
 
-    /** If true will suppress the blue transition text messages: there are none. Whether worlds are rendered to the
-     * viewport. */
-    UPROPERTY(Transient)
-    uint8 bDisableWorldRendering : 1;
-
     /** Sets up the viewport with the size from the command line: -ResX=1280 -ResY=720. */
     virtual void Init(
         FWorldContext& WorldContext, UGameInstance* OwningGameInstance, bool bCreateNewAudioDevice = true);

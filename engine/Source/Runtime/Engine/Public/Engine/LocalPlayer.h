@@ -31,13 +31,9 @@ public:
     UPROPERTY()
     TObjectPtr<UGameViewportClient> ViewportClient;
 
-    /** The class of PlayerController to spawn for players logging in; null: that of the game mode. */
-    UPROPERTY()
-    TSubclassOf<APlayerController> PendingLevelPlayerControllerClass;
-
     /** Called at creation time for internal setup. */
     virtual void PlayerAdded(UGameViewportClient* InViewportClient, int32 InControllerID);
-    /** Called to initialize the online delegates: the subsystems here. */
+    /** Called when the player is removed from the game: ends its subsystems. */
     virtual void PlayerRemoved();
     /** Spawns an actor to represent this player in the world: its controller. @param URL the URL the player joined
      * with. @param OutError why not. */

@@ -35,7 +35,8 @@ struct FStaticMaterial {
 /**
  * A mesh of triangles with material slots and no animation (UE: UStaticMesh, Engine/StaticMesh.h).
  *
- * The embedded engine keeps one level of detail, with its triangles in main memory; GetGeometry gives them to renderers.
+ * The embedded engine keeps one level of detail, with its triangles in main memory; GetGeometry gives them to
+ * renderers.
  */
 UCLASS(BlueprintType)
 class ENGINE_API UStaticMesh : public UStreamableRenderAsset {
@@ -58,7 +59,8 @@ public:
     UFUNCTION(BlueprintPure, Category = "StaticMesh")
     int32 GetNumTriangles(int32 LODIndex) const;
 
-    /** Number of sections (runs of triangles of one material slot) of a level of detail; 0 for one that does not exist. */
+    /** Number of sections (runs of triangles of one material slot) of a level of detail; 0 for one that does not exist.
+     */
     UFUNCTION(BlueprintPure, Category = "StaticMesh")
     int32 GetNumSections(int32 InLOD) const;
 
@@ -83,23 +85,17 @@ public:
 
     /** The material slots. */
     UFUNCTION(BlueprintGetter)
-    const TArray<FStaticMaterial>& GetStaticMaterials() const {
-        return StaticMaterials;
-    }
+    const TArray<FStaticMaterial>& GetStaticMaterials() const { return StaticMaterials; }
 
     /** The material slots, to be changed in place. */
-    TArray<FStaticMaterial>& GetStaticMaterials() {
-        return StaticMaterials;
-    }
+    TArray<FStaticMaterial>& GetStaticMaterials() { return StaticMaterials; }
 
     /** Replaces all material slots. */
     UFUNCTION(BlueprintSetter)
     void SetStaticMaterials(const TArray<FStaticMaterial>& InStaticMaterials);
 
     /** The triangles in main memory. Embedded engine only. */
-    const FStaticMeshGeometry& GetGeometry() const {
-        return Geometry;
-    }
+    const FStaticMeshGeometry& GetGeometry() const { return Geometry; }
 
     /**
      * Replaces the triangles and recomputes the bounds. Embedded engine only.
@@ -111,13 +107,11 @@ public:
     bool SetGeometry(FStaticMeshGeometry&& InGeometry, FString& OutError);
 
     /** Grows with every SetGeometry, so that a renderer knows when to rebuild. Embedded engine only. */
-    uint32 GetGeometryRevision() const {
-        return GeometryRevision;
-    }
+    uint32 GetGeometryRevision() const { return GeometryRevision; }
 
 private:
     UPROPERTY(EditAnywhere, BlueprintGetter = GetStaticMaterials, BlueprintSetter = SetStaticMaterials,
-              Category = "StaticMesh")
+        Category = "StaticMesh")
     TArray<FStaticMaterial> StaticMaterials;
 
     FStaticMeshGeometry Geometry;

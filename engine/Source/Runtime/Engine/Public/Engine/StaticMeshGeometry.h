@@ -16,8 +16,8 @@ struct FStaticMeshGeometrySection {
 };
 
 /**
- * The triangles of a UStaticMesh in main memory, for renderers, ray casts and physics. Embedded engine only: UE keeps this in
- * FStaticMeshRenderData, whose layout belongs to its GPU renderer.
+ * The triangles of a UStaticMesh in main memory, for renderers, ray casts and physics. Embedded engine only: UE keeps
+ * this in FStaticMeshRenderData, whose layout belongs to its GPU renderer.
  *
  * Everything is in UE's mesh space: centimetres, left-handed, Z up. All vertex arrays have the same length or are empty
  * (TexCoords1 and Colors may be empty). Triangles are wound so that (C - A) x (B - A), computed with UE's
@@ -28,7 +28,8 @@ struct FStaticMeshGeometry {
     TArray<FVector3f> Positions;
     /** Unit vertex normals. */
     TArray<FVector3f> Normals;
-    /** Unit tangents along increasing U. W is +1 or -1: W * (Normal x Tangent) points up in the image, where V decreases. */
+    /** Unit tangents along increasing U. W is +1 or -1: W * (Normal x Tangent) points up in the image, where V
+     * decreases. */
     TArray<FVector4f> Tangents;
     /** First texture coordinate set, V growing downwards in the image. */
     TArray<FVector2f> TexCoords0;
@@ -42,12 +43,8 @@ struct FStaticMeshGeometry {
     TArray<FStaticMeshGeometrySection> Sections;
 
     /** Number of vertices. */
-    int32 NumVertices() const {
-        return Positions.Num();
-    }
+    int32 NumVertices() const { return Positions.Num(); }
 
     /** Number of triangles over all sections. */
-    int32 NumTriangles() const {
-        return Indices.Num() / 3;
-    }
+    int32 NumTriangles() const { return Indices.Num() / 3; }
 };

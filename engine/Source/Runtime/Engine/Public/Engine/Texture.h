@@ -15,7 +15,8 @@ class ENGINE_API UTexture : public UStreamableRenderAsset {
     GENERATED_BODY()
 
 public:
-    /** Whether colour channels hold sRGB-encoded values; data maps (normals, roughness) are linear. Alpha is always linear. */
+    /** Whether colour channels hold sRGB-encoded values; data maps (normals, roughness) are linear. Alpha is always
+     * linear. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Texture")
     uint8 SRGB : 1;
 
@@ -26,12 +27,8 @@ public:
     UTexture(const FObjectInitializer& ObjectInitializer = FObjectInitializer::Get());
 
     /** Width in texels of the top mip as a float, 0 without pixels (UE: UTexture::GetSurfaceWidth). */
-    virtual float GetSurfaceWidth() const {
-        return 0.0f;
-    }
+    virtual float GetSurfaceWidth() const { return 0.0f; }
 
     /** Height in texels of the top mip as a float, 0 without pixels (UE: UTexture::GetSurfaceHeight). */
-    virtual float GetSurfaceHeight() const {
-        return 0.0f;
-    }
+    virtual float GetSurfaceHeight() const { return 0.0f; }
 };

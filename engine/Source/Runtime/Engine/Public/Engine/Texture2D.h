@@ -34,42 +34,36 @@ public:
      * @param InName   object name, or none for a unique one.
      * @return the texture with all bytes zero, or null (and a log line) for a size or format outside these.
      */
-    static UTexture2D* CreateTransient(int32 InSizeX, int32 InSizeY, EPixelFormat InFormat = PF_B8G8R8A8,
-                                                  const FName InName = NAME_None);
+    static UTexture2D* CreateTransient(
+        int32 InSizeX, int32 InSizeY, EPixelFormat InFormat = PF_B8G8R8A8, const FName InName = NAME_None);
 
     /** Width in texels, 0 without pixels. */
-    int32 GetSizeX() const {
-        return SizeX;
-    }
+    int32 GetSizeX() const { return SizeX; }
 
     /** Height in texels, 0 without pixels. */
-    int32 GetSizeY() const {
-        return SizeY;
-    }
+    int32 GetSizeY() const { return SizeY; }
 
     /** Width in texels, for Blueprint. */
-    UFUNCTION(BlueprintCallable, meta = (DisplayName = "GetSizeX", ScriptName = "GetSizeX"), Category = "Rendering|Texture")
+    UFUNCTION(
+        BlueprintCallable, meta = (DisplayName = "GetSizeX", ScriptName = "GetSizeX"), Category = "Rendering|Texture")
     int32 Blueprint_GetSizeX() const;
 
     /** Height in texels, for Blueprint. */
-    UFUNCTION(BlueprintCallable, meta = (DisplayName = "GetSizeY", ScriptName = "GetSizeY"), Category = "Rendering|Texture")
+    UFUNCTION(
+        BlueprintCallable, meta = (DisplayName = "GetSizeY", ScriptName = "GetSizeY"), Category = "Rendering|Texture")
     int32 Blueprint_GetSizeY() const;
 
     /** Format of the pixels; PF_Unknown without pixels. */
-    EPixelFormat GetPixelFormat(uint32 LayerIndex = 0u) const {
-        return LayerIndex == 0u ? PixelFormat : PF_Unknown;
-    }
+    EPixelFormat GetPixelFormat(uint32 LayerIndex = 0u) const { return LayerIndex == 0u ? PixelFormat : PF_Unknown; }
 
     virtual float GetSurfaceWidth() const override;
     virtual float GetSurfaceHeight() const override;
 
     /**
-     * The pixels, row by row from the top, GetSizeX() * bytes-per-pixel bytes a row with no padding: 4 bytes a pixel for PF_B8G8R8A8 and
-     * PF_R8G8B8A8, 1 for PF_G8. Embedded engine only (UE: GetPlatformData()->Mips[0].BulkData).
+     * The pixels, row by row from the top, GetSizeX() * bytes-per-pixel bytes a row with no padding: 4 bytes a pixel
+     * for PF_B8G8R8A8 and PF_R8G8B8A8, 1 for PF_G8. Embedded engine only (UE: GetPlatformData()->Mips[0].BulkData).
      */
-    const TArray<uint8>& GetPixels() const {
-        return Pixels;
-    }
+    const TArray<uint8>& GetPixels() const { return Pixels; }
 
     /**
      * Replaces size, format and pixels. Embedded engine only.
@@ -78,13 +72,10 @@ public:
      * @param OutError what was refused.
      * @return whether size, format and byte count fit together; if not, the texture keeps what it had.
      */
-    bool SetPixels(int32 InSizeX, int32 InSizeY, EPixelFormat InFormat, TArray<uint8>&& InPixels,
-                              FString& OutError);
+    bool SetPixels(int32 InSizeX, int32 InSizeY, EPixelFormat InFormat, TArray<uint8>&& InPixels, FString& OutError);
 
     /** Grows with every SetPixels, so that a renderer knows when to build its mips again. Embedded engine only. */
-    uint32 GetPixelsRevision() const {
-        return PixelsRevision;
-    }
+    uint32 GetPixelsRevision() const { return PixelsRevision; }
 
     /** Bytes of one pixel in a format this class stores, 0 for any other. Embedded engine only. */
     static int32 GetBytesPerPixel(EPixelFormat InFormat);

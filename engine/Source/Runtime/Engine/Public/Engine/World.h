@@ -96,14 +96,12 @@ struct ENGINE_API FActorSpawnParameters {
     ESpawnActorCollisionHandlingMethod SpawnCollisionHandlingOverride;
     /** Determines whether to multiply or override root component with provided spawn transform. */
     ESpawnActorScaleMethod TransformScaleMethod = ESpawnActorScaleMethod::MultiplyWithRoot;
-    /** Determines whether or not spawning will not fail if certain conditions are not met. If true, spawning will not
-     * fail because the class being spawned is abstract... only while the world is being torn down. */
+    /** If true, an actor that destroys itself while it is spawned is returned nevertheless. */
     uint8 bNoFail : 1;
     /** Determines whether the construction script will be run. If true, the construction script will not be run on the
      * spawned Actor: call FinishSpawning. */
     uint8 bDeferConstruction : 1;
-    /** Determines whether or not the actor may be spawned when running a construction script. If true spawning will
-     * fail if a construction script is being run. */
+    /** Whether the actor may be spawned while a construction script is running; else that fails. */
     uint8 bAllowDuringConstructionScript : 1;
     /** In which way should SpawnActor should treat the supplied Name if not none. */
     ESpawnActorNameMode NameMode;
@@ -189,20 +187,12 @@ public:
     uint8 bMatchStarted : 1;
     /** Whether we are in the middle of running a construction script. */
     uint8 bIsRunningConstructionScript : 1;
-    /** When set, the world's pause is pending: set by a debugging step. If true, the world is paused after the next
-     * frame. */
-    uint8 bDebugPauseExecution : 1;
-
-    /** DelayedTick: group in which the world ticks now. */
+    /** The group in which the world ticks now; TG_NewlySpawned outside of ticks. */
     TEnumAsByte<ETickingGroup> TickGroup;
 
     /** Called at the beginning of play, after all actors began to play. */
     DECLARE_EVENT(UWorld, FOnWorldBeginPlay);
     FOnWorldBeginPlay OnWorldBeginPlay;
-
-    /** Called when the match starts. */
-    DECLARE_EVENT(UWorld, FOnMatchStarting);
-    FOnMatchStarting OnWorldMatchStarting;
 
     /** Called each time the world begins to tear down. */
     DECLARE_EVENT_OneParam(UWorld, FOnBeginTearingDownEvent, UWorld*);
@@ -420,7 +410,7 @@ public:
     AWorldSettings* GetWorldSettings(bool bCheckStreamingPersistent = false, bool bChecked = true) const;
     /** Gravity on the Z axis, in centimetres per second squared. */
     float GetGravityZ() const;
-    /** Z below which falling actors are destroyed, or the lowest number when that is not wanted. */
+    /** Gravity of worlds that do not set their own, in centimetres per second squared. */
     float GetDefaultGravityZ() const;
 
     // ------------------------------------------------------------------------------------------------ game mode,

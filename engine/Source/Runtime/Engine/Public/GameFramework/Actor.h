@@ -130,7 +130,7 @@ protected:
     UPROPERTY(BlueprintGetter = K2_GetRootComponent, Category = "Transformation")
     TObjectPtr<USceneComponent> RootComponent;
 
-    /** Sets the value of Instigator without causing other side effects to this instance. */
+    /** Pawn responsible for damage and other gameplay events caused by this actor. */
     UPROPERTY(BlueprintReadWrite, Category = Actor, meta = (ExposeOnSpawn = "true"))
     TObjectPtr<APawn> Instigator;
 
@@ -214,6 +214,10 @@ public:
     /** Get the remaining lifespan of this actor, in seconds. If zero is returned the actor lives forever. */
     UFUNCTION(BlueprintCallable, Category = "Utilities", meta = (Keywords = "delete destroy"))
     virtual float GetLifeSpan() const;
+
+    /** Destroys the actor if it is below the KillZ of the world settings. Movement components call it. @return whether
+     * the actor is still there. */
+    virtual bool CheckStillInWorld();
 
     /** Called when the lifespan of an actor expires (if he has one). */
     virtual void LifeSpanExpired();
@@ -975,5 +979,4 @@ private:
     uint8 bHasFinishedSpawning : 1;
     uint8 bTickFunctionsRegistered : 1;
     uint8 bHasRegisteredAllComponents : 1;
-    uint8 bHasDeferredComponentRegistration : 1;
 };

@@ -13,7 +13,6 @@ class AController;
 class AGameStateBase;
 class APawn;
 class APlayerState;
-class ASpectatorPawn;
 class AWorldSettings;
 class ULocalPlayer;
 class UPlayer;
@@ -54,10 +53,6 @@ public:
     /** The default pawn class used by players. */
     UPROPERTY(EditAnywhere, NoClear, BlueprintReadOnly, Category = Classes, meta = (DisplayName = "Default Pawn Class"))
     TSubclassOf<APawn> DefaultPawnClass;
-
-    /** The pawn class used by the PlayerController for players when spectating. */
-    UPROPERTY(EditAnywhere, NoClear, BlueprintReadOnly, Category = Classes)
-    TSubclassOf<ASpectatorPawn> SpectatorClass;
 
     /** GameState is used to replicate game state relevant properties to all clients. */
     UPROPERTY(Transient)

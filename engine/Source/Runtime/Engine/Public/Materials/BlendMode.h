@@ -6,7 +6,8 @@
 
 #include "BlendMode.generated.h"
 
-/** How a surface covers what is behind it (UE: EBlendMode, Engine/EngineTypes.h). The embedded engine's materials use the first three. */
+/** How a surface covers what is behind it (UE: EBlendMode, Engine/EngineTypes.h). The embedded engine's materials use
+ * the first three. */
 UENUM(BlueprintType)
 enum EBlendMode : int {
     BLEND_Opaque UMETA(DisplayName = "Opaque"),

@@ -10,8 +10,8 @@
 /**
  * A material (UE: UMaterial, Materials/Material.h).
  *
- * In UE a material is a graph of expressions. In the embedded engine every material is the metallic-roughness surface of glTF 2.0 and has these
- * parameters:
+ * In UE a material is a graph of expressions. In the embedded engine every material is the metallic-roughness surface
+ * of glTF 2.0 and has these parameters:
  *
  * | name | kind | meaning |
  * |---|---|---|
@@ -24,7 +24,8 @@
  * | OcclusionRoughnessMetallicTexture | texture | R occlusion, G roughness, B metallic |
  * | NormalTexture | texture | tangent-space normals, green up |
  *
- * "/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial" is a plain grey one; scenes instance "/Engine/EngineMaterials/Surface.Surface".
+ * "/Engine/EngineMaterials/DefaultMaterial.DefaultMaterial" is a plain grey one; scenes instance
+ * "/Engine/EngineMaterials/Surface.Surface".
  */
 UCLASS(BlueprintType)
 class ENGINE_API UMaterial : public UMaterialInterface {
@@ -50,20 +51,23 @@ public:
     virtual EBlendMode GetBlendMode() const override;
     virtual bool IsTwoSided() const override;
     virtual float GetOpacityMaskClipValue() const override;
-    virtual bool GetScalarParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue,
-                                         bool bOveriddenOnly = false) const override;
+    virtual bool GetScalarParameterValue(
+        const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue, bool bOveriddenOnly = false) const override;
     virtual bool GetVectorParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue,
-                                         bool bOveriddenOnly = false) const override;
+        bool bOveriddenOnly = false) const override;
     virtual bool GetTextureParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue,
-                                          bool bOveriddenOnly = false) const override;
+        bool bOveriddenOnly = false) const override;
 
-    /** Changes the default of an existing scalar parameter; false if there is none of that name. Embedded engine only. */
+    /** Changes the default of an existing scalar parameter; false if there is none of that name. Embedded engine only.
+     */
     bool SetScalarParameterDefault(FName ParameterName, float Value);
 
-    /** Changes the default of an existing vector parameter; false if there is none of that name. Embedded engine only. */
+    /** Changes the default of an existing vector parameter; false if there is none of that name. Embedded engine only.
+     */
     bool SetVectorParameterDefault(FName ParameterName, FLinearColor Value);
 
-    /** Changes the default of an existing texture parameter; false if there is none of that name. Embedded engine only. */
+    /** Changes the default of an existing texture parameter; false if there is none of that name. Embedded engine only.
+     */
     bool SetTextureParameterDefault(FName ParameterName, UTexture* Value);
 
 private:

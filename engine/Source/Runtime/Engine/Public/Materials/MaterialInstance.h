@@ -134,12 +134,12 @@ public:
     virtual EBlendMode GetBlendMode() const override;
     virtual bool IsTwoSided() const override;
     virtual float GetOpacityMaskClipValue() const override;
-    virtual bool GetScalarParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue,
-                                         bool bOveriddenOnly = false) const override;
+    virtual bool GetScalarParameterValue(
+        const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue, bool bOveriddenOnly = false) const override;
     virtual bool GetVectorParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue,
-                                         bool bOveriddenOnly = false) const override;
+        bool bOveriddenOnly = false) const override;
     virtual bool GetTextureParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue,
-                                          bool bOveriddenOnly = false) const override;
+        bool bOveriddenOnly = false) const override;
     virtual uint32 GetParametersRevision() const override;
 
 protected:

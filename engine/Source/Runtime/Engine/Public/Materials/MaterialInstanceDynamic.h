@@ -8,8 +8,8 @@
 
 /**
  * A material instance whose parameters change while the world runs (UE: UMaterialInstanceDynamic,
- * Materials/MaterialInstanceDynamic.h). The parameter names are in Materials/Material.h; setting a name the material does not have is allowed, as
- * in UE, and has no effect on the surface.
+ * Materials/MaterialInstanceDynamic.h). The parameter names are in Materials/Material.h; setting a name the material
+ * does not have is allowed, as in UE, and has no effect on the surface.
  */
 UCLASS(BlueprintType)
 class ENGINE_API UMaterialInstanceDynamic : public UMaterialInstance {
@@ -32,8 +32,8 @@ public:
 
     /** Value of a scalar (float) parameter, 0 if there is none. */
     UFUNCTION(BlueprintCallable, Category = "Rendering|Material",
-              meta = (DisplayName = "GetScalarParameterValue", ScriptName = "GetScalarParameterValue",
-                      Keywords = "GetFloatParameterValue"))
+        meta = (DisplayName = "GetScalarParameterValue", ScriptName = "GetScalarParameterValue",
+            Keywords = "GetFloatParameterValue"))
     float K2_GetScalarParameterValue(FName ParameterName);
 
     /** Overrides a texture parameter; null counts as white. */
@@ -46,7 +46,7 @@ public:
 
     /** Value of a texture parameter, null if there is none. */
     UFUNCTION(BlueprintCallable, Category = "Rendering|Material",
-              meta = (DisplayName = "GetTextureParameterValue", ScriptName = "GetTextureParameterValue"))
+        meta = (DisplayName = "GetTextureParameterValue", ScriptName = "GetTextureParameterValue"))
     UTexture* K2_GetTextureParameterValue(FName ParameterName);
 
     /** Overrides a vector parameter; colours are linear. */
@@ -59,18 +59,19 @@ public:
 
     /** Value of a vector parameter, transparent black if there is none. */
     UFUNCTION(BlueprintCallable, Category = "Rendering|Material",
-              meta = (DisplayName = "GetVectorParameterValue", ScriptName = "GetVectorParameterValue",
-                      Keywords = "GetColorParameterValue"))
+        meta = (DisplayName = "GetVectorParameterValue", ScriptName = "GetVectorParameterValue",
+            Keywords = "GetColorParameterValue"))
     FLinearColor K2_GetVectorParameterValue(FName ParameterName);
 
     /**
-     * Blends the scalar and vector parameters of two instances of one material into this instance; a null source is ignored.
+     * Blends the scalar and vector parameters of two instances of one material into this instance; a null source is
+     * ignored.
      *
      * @param Alpha 0 gives SourceA, 1 gives SourceB, values outside 0..1 extrapolate.
      */
     UFUNCTION(BlueprintCallable, Category = "Rendering|Material",
-              meta = (DisplayName = "Interpolate Material Instance Parameters",
-                      ScriptName = "InterpolateMaterialInstanceParameters"))
+        meta = (DisplayName = "Interpolate Material Instance Parameters",
+            ScriptName = "InterpolateMaterialInstanceParameters"))
     void K2_InterpolateMaterialInstanceParams(UMaterialInstance* SourceA, UMaterialInstance* SourceB, float Alpha);
 
     /** Drops all overridden parameters. */

@@ -13,7 +13,8 @@ class UMaterial;
 class UTexture;
 
 /**
- * What can be put on a surface: a material or an instance of one (UE: UMaterialInterface, Materials/MaterialInterface.h).
+ * What can be put on a surface: a material or an instance of one (UE: UMaterialInterface,
+ * Materials/MaterialInterface.h).
  */
 UCLASS(Abstract, BlueprintType)
 class ENGINE_API UMaterialInterface : public UObject {
@@ -47,31 +48,29 @@ public:
      * @param bOveriddenOnly     only look at what instances override, not at the default of the material.
      * @return whether there is such a parameter.
      */
-    virtual bool GetScalarParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue,
-                                         bool bOveriddenOnly = false) const;
+    virtual bool GetScalarParameterValue(
+        const FHashedMaterialParameterInfo& ParameterInfo, float& OutValue, bool bOveriddenOnly = false) const;
 
     /** Value of a vector parameter as this material sees it; arguments as GetScalarParameterValue. */
-    virtual bool GetVectorParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue,
-                                         bool bOveriddenOnly = false) const;
+    virtual bool GetVectorParameterValue(
+        const FHashedMaterialParameterInfo& ParameterInfo, FLinearColor& OutValue, bool bOveriddenOnly = false) const;
 
     /** Value of a texture parameter as this material sees it; arguments as GetScalarParameterValue. */
-    virtual bool GetTextureParameterValue(const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue,
-                                          bool bOveriddenOnly = false) const;
+    virtual bool GetTextureParameterValue(
+        const FHashedMaterialParameterInfo& ParameterInfo, UTexture*& OutValue, bool bOveriddenOnly = false) const;
 
     /** All parameters resolved, for a renderer. Embedded engine only. */
     FSurfaceParameters GetSurfaceParameters() const;
 
     /**
-     * Grows whenever a parameter of this object or of a parent changed through the setters, so that a renderer knows when to call
-     * GetSurfaceParameters again. Embedded engine only.
+     * Grows whenever a parameter of this object or of a parent changed through the setters, so that a renderer knows
+     * when to call GetSurfaceParameters again. Embedded engine only.
      */
     virtual uint32 GetParametersRevision() const;
 
 protected:
     /** To be called by setters. */
-    void MarkParametersChanged() {
-        ++ParametersRevision;
-    }
+    void MarkParametersChanged() { ++ParametersRevision; }
 
     /** Changes of this object alone. */
     uint32 ParametersRevision = 0;

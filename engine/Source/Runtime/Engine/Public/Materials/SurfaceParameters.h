@@ -7,8 +7,9 @@
 class UTexture2D;
 
 /**
- * What a renderer needs of a material, all parameters resolved through the chain of instances. Embedded engine only: UE compiles a material graph
- * to shaders; here every material is the metallic-roughness model of glTF 2.0 with the parameters named in Materials/Material.h.
+ * What a renderer needs of a material, all parameters resolved through the chain of instances. Embedded engine only: UE
+ * compiles a material graph to shaders; here every material is the metallic-roughness model of glTF 2.0 with the
+ * parameters named in Materials/Material.h.
  *
  * A texture multiplies its factor; a null texture counts as 1 (a flat normal for Normal).
  */
