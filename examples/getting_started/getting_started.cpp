@@ -29,8 +29,9 @@ void spawn_axes(spear::Instance& instance, const spear::Game& game) {
         axes = game.spawn_actor("ACoordinateAxes", {.location = {-10, 280, 50}});
         axes.call("SetActorScale3D", arg("NewScale3D", unreal::FVector{4, 4, 4}));
         auto root = axes["RootComponent"].get<spear::Object>();
-        location = root.async<unreal::FVector>("K2_GetComponentLocation");  // a future: nothing waits
-        same_location = root.async<unreal::FVector>("GetComponentLocation"); // the paper's spelling of the same function
+        location = root.async<unreal::FVector>("K2_GetComponentLocation"); // a future: nothing waits
+        same_location =
+            root.async<unreal::FVector>("GetComponentLocation"); // the paper's spelling of the same function
         frame.execute();
     }
     {
@@ -54,8 +55,9 @@ void throw_ball(spear::Instance& instance, const spear::Game& game, int steps) {
         statics.call("SetGamePaused", arg("bPaused", true));
         ball = game.spawn_actor("AStaticMeshActor", {.location = {0, 0, 200}});
         ball["StaticMeshComponent"].get<spear::Object>().call("SetMobility", arg("NewMobility", "Movable"));
-        auto motion = ball.call<spear::Object>("AddComponentByClass", arg("Class", "UProjectileMovementComponent"), arg("bManualAttachment", false),
-            arg("RelativeTransform", unreal::FTransform{}), arg("bDeferredFinish", false));
+        auto motion = ball.call<spear::Object>("AddComponentByClass", arg("Class", "UProjectileMovementComponent"),
+            arg("bManualAttachment", false), arg("RelativeTransform", unreal::FTransform{}),
+            arg("bDeferredFinish", false));
         motion["Velocity"].set(unreal::FVector{300, 0, 400}); // centimetres per second
         frame.execute();
     }
@@ -104,11 +106,13 @@ int run(int count, char** arguments) {
             steps = std::atoi(arguments[++i]);
         } else {
             fmt::print("usage: getting_started [--address unix:/path|tcp://host:port] [--steps N]\n"
-                       "Spawns coordinate axes, throws a ball step by step, counts what is reflected. Starts an engine if no address is given.\n");
+                       "Spawns coordinate axes, throws a ball step by step, counts what is reflected. Starts an engine "
+                       "if no address is given.\n");
             return option == "--help" || option == "-h" ? 0 : 2;
         }
     }
-    spear::Instance instance = address.empty() ? spear::launch({.scene = "apartment", .fixed_dt = 1.0 / 60}) : spear::connect(address);
+    spear::Instance instance =
+        address.empty() ? spear::launch({.scene = "apartment", .fixed_dt = 1.0 / 60}) : spear::connect(address);
     const spear::Game game = instance.game();
     spawn_axes(instance, game);
     throw_ball(instance, game, steps);

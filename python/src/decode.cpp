@@ -7,7 +7,9 @@
 namespace spear::python {
 namespace {
 
-[[noreturn]] void malformed() { throw_error(ErrorCode::MalformedMessage, "The engine sent a value that cannot be read."); }
+[[noreturn]] void malformed() {
+    throw_error(ErrorCode::MalformedMessage, "The engine sent a value that cannot be read.");
+}
 
 nb::object checked(PyObject* object) {
     if (!object) {
@@ -94,24 +96,39 @@ nb::object decode_enum(Decoder& in, TypeId type, const TypeInfo& info, nb::handl
 
 nb::object decode_python(Decoder& in, TypeId type, nb::handle session) {
     switch (type) {
-    case types::null: return nb::none();
-    case types::boolean: return nb::bool_(in.get<std::uint8_t>() != 0);
-    case types::i8: return checked(PyLong_FromLong(in.get<std::int8_t>()));
-    case types::i16: return checked(PyLong_FromLong(in.get<std::int16_t>()));
-    case types::i32: return checked(PyLong_FromLong(in.get<std::int32_t>()));
-    case types::i64: return checked(PyLong_FromLongLong(in.get<std::int64_t>()));
-    case types::u8: return checked(PyLong_FromLong(in.get<std::uint8_t>()));
-    case types::u16: return checked(PyLong_FromLong(in.get<std::uint16_t>()));
-    case types::u32: return checked(PyLong_FromUnsignedLong(in.get<std::uint32_t>()));
-    case types::u64: return checked(PyLong_FromUnsignedLongLong(in.get<std::uint64_t>()));
-    case types::f32: return checked(PyFloat_FromDouble(static_cast<double>(in.get<float>())));
-    case types::f64: return checked(PyFloat_FromDouble(in.get<double>()));
-    case types::string: return text(in);
+    case types::null:
+        return nb::none();
+    case types::boolean:
+        return nb::bool_(in.get<std::uint8_t>() != 0);
+    case types::i8:
+        return checked(PyLong_FromLong(in.get<std::int8_t>()));
+    case types::i16:
+        return checked(PyLong_FromLong(in.get<std::int16_t>()));
+    case types::i32:
+        return checked(PyLong_FromLong(in.get<std::int32_t>()));
+    case types::i64:
+        return checked(PyLong_FromLongLong(in.get<std::int64_t>()));
+    case types::u8:
+        return checked(PyLong_FromLong(in.get<std::uint8_t>()));
+    case types::u16:
+        return checked(PyLong_FromLong(in.get<std::uint16_t>()));
+    case types::u32:
+        return checked(PyLong_FromUnsignedLong(in.get<std::uint32_t>()));
+    case types::u64:
+        return checked(PyLong_FromUnsignedLongLong(in.get<std::uint64_t>()));
+    case types::f32:
+        return checked(PyFloat_FromDouble(static_cast<double>(in.get<float>())));
+    case types::f64:
+        return checked(PyFloat_FromDouble(in.get<double>()));
+    case types::string:
+        return text(in);
     case types::bytes: {
         const auto bytes = in.get_raw(in.get<std::uint32_t>());
-        return checked(PyBytes_FromStringAndSize(reinterpret_cast<const char*>(bytes.data()), static_cast<Py_ssize_t>(bytes.size())));
+        return checked(PyBytes_FromStringAndSize(
+            reinterpret_cast<const char*>(bytes.data()), static_cast<Py_ssize_t>(bytes.size())));
     }
-    case types::object: return decode_object(in, session);
+    case types::object:
+        return decode_object(in, session);
     case types::any: {
         const auto inner = in.get<TypeId>();
         return in.ok() ? decode_python(in, inner, session) : nb::none();
@@ -124,11 +141,14 @@ nb::object decode_python(Decoder& in, TypeId type, nb::handle session) {
         return list;
     }
     case types::dict:
-        return decode_pairs(in.get_count(8), in, [&] { return text(in); }, [&] { return decode_python(in, types::any, session); });
+        return decode_pairs(
+            in.get_count(8), in, [&] { return text(in); }, [&] { return decode_python(in, types::any, session); });
     case types::map:
         return decode_pairs(
-            in.get_count(8), in, [&] { return decode_python(in, types::any, session); }, [&] { return decode_python(in, types::any, session); });
-    default: break;
+            in.get_count(8), in, [&] { return decode_python(in, types::any, session); },
+            [&] { return decode_python(in, types::any, session); });
+    default:
+        break;
     }
     const TypeInfo* info = session_of(session).session()->types().find(type);
     if (!info || Py_EnterRecursiveCall(" while reading a value of the engine") != 0) {
@@ -138,14 +158,19 @@ nb::object decode_python(Decoder& in, TypeId type, nb::handle session) {
         ~Leave() { Py_LeaveRecursiveCall(); }
     } leave;
     switch (info->kind) {
-    case TypeKind::structure: return decode_struct(in, type, *info, session);
+    case TypeKind::structure:
+        return decode_struct(in, type, *info, session);
     case TypeKind::array:
-    case TypeKind::set: return decode_elements(in, *info, session);
+    case TypeKind::set:
+        return decode_elements(in, *info, session);
     case TypeKind::map:
-        return decode_pairs(in.get_count(1), in, [&] { return decode_python(in, info->key, session); },
+        return decode_pairs(
+            in.get_count(1), in, [&] { return decode_python(in, info->key, session); },
             [&] { return decode_python(in, info->element, session); });
-    case TypeKind::enumeration: return decode_enum(in, type, *info, session);
-    default: malformed();
+    case TypeKind::enumeration:
+        return decode_enum(in, type, *info, session);
+    default:
+        malformed();
     }
 }
 

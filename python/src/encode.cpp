@@ -36,7 +36,8 @@ void encode_integer(Encoder& out, PyObject* value) {
         }
         PyErr_Clear();
     }
-    throw_error(ErrorCode::OutOfRange, "An integer of more than 64 bits cannot be sent: " + std::string(nb::str(value).c_str()) + ".");
+    throw_error(ErrorCode::OutOfRange,
+        "An integer of more than 64 bits cannot be sent: " + std::string(nb::str(value).c_str()) + ".");
 }
 
 /// The payload of a number as a field's type; false if the Python value is none, or does not fit.
@@ -54,8 +55,10 @@ bool encode_number_payload(Encoder& out, TypeId type, PyObject* value) {
         } else {
             return false;
         }
-        if (type == types::f64) out.put(number);
-        else out.put(static_cast<float>(number));
+        if (type == types::f64)
+            out.put(number);
+        else
+            out.put(static_cast<float>(number));
         return true;
     }
     if (!PyLong_Check(value) || PyBool_Check(value)) {
@@ -64,23 +67,33 @@ bool encode_number_payload(Encoder& out, TypeId type, PyObject* value) {
     int overflow = 0;
     const long long number = PyLong_AsLongLongAndOverflow(value, &overflow);
     const auto put = [&]<typename T>(T) {
-        if (overflow != 0 || !std::in_range<T>(number)) return false;
+        if (overflow != 0 || !std::in_range<T>(number))
+            return false;
         out.put(static_cast<T>(number));
         return true;
     };
     switch (type) {
-    case types::i8: return put(std::int8_t{});
-    case types::i16: return put(std::int16_t{});
-    case types::i32: return put(std::int32_t{});
-    case types::i64: return put(std::int64_t{});
-    case types::u8: return put(std::uint8_t{});
-    case types::u16: return put(std::uint16_t{});
-    case types::u32: return put(std::uint32_t{});
-    default: return false;
+    case types::i8:
+        return put(std::int8_t{});
+    case types::i16:
+        return put(std::int16_t{});
+    case types::i32:
+        return put(std::int32_t{});
+    case types::i64:
+        return put(std::int64_t{});
+    case types::u8:
+        return put(std::uint8_t{});
+    case types::u16:
+        return put(std::uint16_t{});
+    case types::u32:
+        return put(std::uint32_t{});
+    default:
+        return false;
     }
 }
 
-/// A struct value: as plain numbers if its class says so and all fields are numbers now, else each field with its own type.
+/// A struct value: as plain numbers if its class says so and all fields are numbers now, else each field with its own
+/// type.
 void encode_struct(OperationBuilder& operation, PySession& session, PyObject* value, std::size_t depth) {
     const StructWriter& writer = session.writer_for(Py_TYPE(value));
     Encoder& out = operation.out();
@@ -118,17 +131,27 @@ TypeId buffer_element(const Py_buffer& buffer) {
     }
     const bool is_signed = std::strchr("bhilqn", *format) != nullptr;
     const bool is_unsigned = std::strchr("BHILQN", *format) != nullptr;
-    if (*format == 0 || format[1] != 0) return types::null;
-    if (*format == '?') return types::boolean;
-    if (*format == 'f') return types::f32;
-    if (*format == 'd') return types::f64;
-    if (!is_signed && !is_unsigned) return types::null;
+    if (*format == 0 || format[1] != 0)
+        return types::null;
+    if (*format == '?')
+        return types::boolean;
+    if (*format == 'f')
+        return types::f32;
+    if (*format == 'd')
+        return types::f64;
+    if (!is_signed && !is_unsigned)
+        return types::null;
     switch (buffer.itemsize) {
-    case 1: return is_signed ? types::i8 : types::u8;
-    case 2: return is_signed ? types::i16 : types::u16;
-    case 4: return is_signed ? types::i32 : types::u32;
-    case 8: return is_signed ? types::i64 : types::u64;
-    default: return types::null;
+    case 1:
+        return is_signed ? types::i8 : types::u8;
+    case 2:
+        return is_signed ? types::i16 : types::u16;
+    case 4:
+        return is_signed ? types::i32 : types::u32;
+    case 8:
+        return is_signed ? types::i64 : types::u64;
+    default:
+        return types::null;
     }
 }
 
@@ -181,7 +204,8 @@ bool encode_buffer(OperationBuilder& operation, PyObject* value) {
 [[noreturn]] void refuse(PyObject* value) {
     throw_error(ErrorCode::WrongType,
         std::string("A Python value of type ") + Py_TYPE(value)->tp_name +
-            " cannot be sent. What can: None, bool, int, float, str, bytes, lists, dicts, sets, NumPy arrays, structs (FVector, ...), "
+            " cannot be sent. What can: None, bool, int, float, str, bytes, lists, dicts, sets, NumPy arrays, structs "
+            "(FVector, ...), "
             "enums, objects of the engine, futures. (Of a variable of an object, send its value: .get().)");
 }
 
@@ -189,7 +213,9 @@ bool encode_buffer(OperationBuilder& operation, PyObject* value) {
 
 void encode_python(OperationBuilder& operation, PySession& session, nb::handle handle, std::size_t depth) {
     if (depth > limits::max_value_depth) {
-        throw_error(ErrorCode::LimitExceeded, "A value is nested deeper than " + std::to_string(limits::max_value_depth) + " levels; does it contain itself?");
+        throw_error(ErrorCode::LimitExceeded, "A value is nested deeper than " +
+                                                  std::to_string(limits::max_value_depth) +
+                                                  " levels; does it contain itself?");
     }
     PyObject* value = handle.ptr();
     Encoder& out = operation.out();
@@ -209,7 +235,8 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
     } else if (nb::isinstance<NativeObject>(handle)) {
         const NativeObject& object = *nb::inst_ptr<NativeObject>(handle);
         if (&session_of(object.session) != &session) {
-            throw_error(ErrorCode::WrongType, "An object of one session was given to another; find it there by its path (get_path_name()).");
+            throw_error(ErrorCode::WrongType,
+                "An object of one session was given to another; find it there by its path (get_path_name()).");
         }
         Codec<ObjectRef>::encode(out, object.ref);
     } else if (nb::isinstance<NativeFuture>(handle)) {
@@ -228,8 +255,10 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         out.put(count);
         position = 0;
         while (PyDict_Next(value, &position, &key, &element)) {
-            if (all_text) encode_text(out, key);
-            else encode_python(operation, session, key, depth + 1);
+            if (all_text)
+                encode_text(out, key);
+            else
+                encode_python(operation, session, key, depth + 1);
             encode_python(operation, session, element, depth + 1);
         }
     } else if (PyList_Check(value) || PyTuple_Check(value)) {
@@ -251,8 +280,10 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         out.put_text({PyBytes_AS_STRING(value), static_cast<std::size_t>(PyBytes_GET_SIZE(value))});
     } else if (PyObject_CheckBuffer(value) && encode_buffer(operation, value)) {
         return;
-    } else if (PyIndex_Check(value) && !PyObject_HasAttr(value, names().future) && Py_TYPE(value)->tp_as_number->nb_index) {
-        const nb::object number = nb::steal(PyNumber_Index(value)); // NumPy integers; a Member raises its own advice here
+    } else if (PyIndex_Check(value) && !PyObject_HasAttr(value, names().future) &&
+               Py_TYPE(value)->tp_as_number->nb_index) {
+        const nb::object number =
+            nb::steal(PyNumber_Index(value)); // NumPy integers; a Member raises its own advice here
         if (!number.is_valid()) {
             throw nb::python_error();
         }
@@ -267,7 +298,8 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
             refuse(value);
         }
         operation.put_future(nb::inst_ptr<NativeFuture>(future)->operation);
-    } else if (const PyNumberMethods* number = Py_TYPE(value)->tp_as_number; number && number->nb_float) { // NumPy's float32
+    } else if (const PyNumberMethods* number = Py_TYPE(value)->tp_as_number;
+        number && number->nb_float) { // NumPy's float32
         const nb::object as_float = nb::steal(PyNumber_Float(value));
         if (!as_float.is_valid()) {
             throw nb::python_error();

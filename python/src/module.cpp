@@ -21,8 +21,10 @@ void set_python_error(const detail::ErrorBase& error) {
     nb::object python_class = nb::borrow(PyDict_GetItemString(classes.errors, std::string(error.name()).c_str()));
     nb::object made = python_class(info.message, info.operation, info.argument, info.expected);
     if (const ErrorInfo* original = error.original()) {
-        nb::object original_class = nb::borrow(PyDict_GetItemString(classes.errors, std::string(error_name(original->code)).c_str()));
-        nb::object cause = original_class(original->message, original->operation, original->argument, original->expected);
+        nb::object original_class =
+            nb::borrow(PyDict_GetItemString(classes.errors, std::string(error_name(original->code)).c_str()));
+        nb::object cause =
+            original_class(original->message, original->operation, original->argument, original->expected);
         PyException_SetCause(made.ptr(), cause.release().ptr());
     }
     PyErr_SetObject(python_class.ptr(), made.ptr());
@@ -34,7 +36,8 @@ const char* runs_on_name(RunsOn thread) {
     return thread == RunsOn::game_thread ? "game_thread" : thread == RunsOn::any_frame ? "any_frame" : "server_thread";
 }
 
-SessionOptions session_options(const std::string& address, nb::bytes token, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+SessionOptions session_options(const std::string& address, nb::bytes token, std::uint32_t lease_ms,
+    std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
     SessionOptions options;
     options.address = address;
     options.token.assign(static_cast<const char*>(token.data()), token.size());
@@ -47,9 +50,12 @@ SessionOptions session_options(const std::string& address, nb::bytes token, std:
     return options;
 }
 
-nb::object wrap(Instance instance) { return nb::cast(new PySession(std::move(instance)), nb::rv_policy::take_ownership); }
+nb::object wrap(Instance instance) {
+    return nb::cast(new PySession(std::move(instance)), nb::rv_policy::take_ownership);
+}
 
-nb::object connect_python(const std::string& address, nb::bytes token, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+nb::object connect_python(const std::string& address, nb::bytes token, std::uint32_t lease_ms,
+    std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
     const SessionOptions options = session_options(address, token, lease_ms, deadline_ms, timeout_ms);
     std::optional<Instance> instance;
     {
@@ -59,20 +65,24 @@ nb::object connect_python(const std::string& address, nb::bytes token, std::uint
     return wrap(std::move(*instance));
 }
 
-nb::object launch_python(const std::string& scene, const std::string& executable, const std::vector<std::string>& arguments, double fps, double fixed_dt,
-    const std::string& address, bool paused, const std::string& log_file, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+nb::object launch_python(const std::string& scene, const std::string& executable,
+    const std::vector<std::string>& arguments, double fps, double fixed_dt, const std::string& address, bool paused,
+    const std::string& log_file, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
     LaunchOptions options;
     options.scene = scene;
     options.executable = executable;
     options.arguments = arguments;
-    if (fps >= 0) options.fps = fps;
-    if (fixed_dt > 0) options.fixed_dt = fixed_dt;
+    if (fps >= 0)
+        options.fps = fps;
+    if (fixed_dt > 0)
+        options.fixed_dt = fixed_dt;
     options.address = address;
     options.paused = paused;
     options.log_file = log_file;
     options.no_lease = lease_ms == SPEAR_LEASE_OFF;
     options.lease = Milliseconds(options.no_lease ? 0 : lease_ms);
-    if (deadline_ms != 0) options.deadline = Milliseconds(deadline_ms);
+    if (deadline_ms != 0)
+        options.deadline = Milliseconds(deadline_ms);
     options.connect_timeout = Milliseconds(timeout_ms);
     std::optional<Instance> instance;
     {
@@ -110,16 +120,18 @@ nb::dict describe_engine(const std::string& address, std::uint32_t timeout_ms) {
     return result;
 }
 
-void setup(nb::handle object_class, nb::handle struct_base, nb::handle struct_class, nb::handle enum_class, nb::handle errors, nb::handle future_object) {
-    classes = {Py_NewRef(object_class.ptr()), Py_NewRef(struct_base.ptr()), Py_NewRef(struct_class.ptr()), Py_NewRef(enum_class.ptr()),
-        Py_NewRef(errors.ptr()), Py_NewRef(future_object.ptr())};
+void setup(nb::handle object_class, nb::handle struct_base, nb::handle struct_class, nb::handle enum_class,
+    nb::handle errors, nb::handle future_object) {
+    classes = {Py_NewRef(object_class.ptr()), Py_NewRef(struct_base.ptr()), Py_NewRef(struct_class.ptr()),
+        Py_NewRef(enum_class.ptr()), Py_NewRef(errors.ptr()), Py_NewRef(future_object.ptr())};
 }
 
 nb::object future_get(const NativeFuture& future, std::optional<double> timeout) {
     RawResult result;
     {
         const nb::gil_scoped_release unlock;
-        result = future.operation.get(timeout ? std::optional(Milliseconds(static_cast<std::int64_t>(*timeout * 1000))) : std::nullopt);
+        result = future.operation.get(
+            timeout ? std::optional(Milliseconds(static_cast<std::int64_t>(*timeout * 1000))) : std::nullopt);
     }
     return future.has_result ? decode_result(result, future.session) : nb::none();
 }
@@ -155,23 +167,30 @@ NB_MODULE(_native, module) {
         for (const std::string_view name : E::parameters) {
             parameters.append(name);
         }
-        entry_point_list.append(nb::make_tuple(E::name, parameters, runs_on_name(E::runs_on), E::documentation, E::signature()));
+        entry_point_list.append(
+            nb::make_tuple(E::name, parameters, runs_on_name(E::runs_on), E::documentation, E::signature()));
     });
     module.attr("ENTRY_POINTS") = entry_point_list;
 
     nb::class_<NativeObject>(module, "Object")
         .def_prop_ro("_session", [](const NativeObject& self) { return self.session; })
         .def_prop_ro("_handle", [](const NativeObject& self) { return self.ref.handle; })
-        .def_prop_ro("_class_name", [](const NativeObject& self) {
-            const TypeInfo* info = session_of(self.session).session()->types().find(self.ref.class_type);
-            return info ? info->name : std::string("UObject");
-        })
-        .def_prop_ro("_class_names", [](const NativeObject& self) { return session_of(self.session).class_names(self.ref.class_type); })
-        .def("__eq__", [](const NativeObject& self, nb::handle other) -> nb::object {
-            if (!nb::isinstance<NativeObject>(other)) return nb::borrow(Py_NotImplemented);
-            const NativeObject& right = *nb::inst_ptr<NativeObject>(other);
-            return nb::bool_(self.ref.handle == right.ref.handle && self.session.is(right.session));
-        }, nb::arg("other").none())
+        .def_prop_ro("_class_name",
+            [](const NativeObject& self) {
+                const TypeInfo* info = session_of(self.session).session()->types().find(self.ref.class_type);
+                return info ? info->name : std::string("UObject");
+            })
+        .def_prop_ro("_class_names",
+            [](const NativeObject& self) { return session_of(self.session).class_names(self.ref.class_type); })
+        .def(
+            "__eq__",
+            [](const NativeObject& self, nb::handle other) -> nb::object {
+                if (!nb::isinstance<NativeObject>(other))
+                    return nb::borrow(Py_NotImplemented);
+                const NativeObject& right = *nb::inst_ptr<NativeObject>(other);
+                return nb::bool_(self.ref.handle == right.ref.handle && self.session.is(right.session));
+            },
+            nb::arg("other").none())
         .def("__hash__", [](const NativeObject& self) { return std::hash<std::uint64_t>()(self.ref.handle); });
 
     nb::class_<NativeFuture>(module, "Future", nb::is_generic())
@@ -180,16 +199,18 @@ NB_MODULE(_native, module) {
         .def_prop_ro("object", [](nb::handle self) { return nb::handle(classes.future_object)(self); })
         .def_prop_ro("_session", [](const NativeFuture& self) { return self.session; })
         .def("__repr__", [](const NativeFuture& self) {
-            return "<spear.Future " + std::to_string(self.operation.number()) + (self.operation.is_ready() ? ">" : " (pending)>");
+            return "<spear.Future " + std::to_string(self.operation.number()) +
+                   (self.operation.is_ready() ? ">" : " (pending)>");
         });
 
     nb::class_<PySession>(module, "Session")
         .def_prop_ro("address", [](PySession& self) { return self.session()->address(); })
         .def_prop_ro("session_id", [](PySession& self) { return self.session()->id(); })
-        .def_prop_ro("process_id", [](PySession& self) -> std::optional<std::int64_t> {
-            const EngineProcess* process = self.instance().process();
-            return process ? std::optional(process->process_id()) : std::nullopt;
-        })
+        .def_prop_ro("process_id",
+            [](PySession& self) -> std::optional<std::int64_t> {
+                const EngineProcess* process = self.instance().process();
+                return process ? std::optional(process->process_id()) : std::nullopt;
+            })
         .def_prop_ro("is_open", [](PySession& self) { return self.session()->is_open(); })
         .def("begin_block", &PySession::begin_block)
         .def("end_block", &PySession::end_block)
@@ -197,20 +218,26 @@ NB_MODULE(_native, module) {
         .def("abort_block", &PySession::abort_block)
         .def("flush", &PySession::flush)
         .def("close", &PySession::close)
-        .def("call", [](nb::handle self, std::string_view entry_point, nb::tuple args, nb::dict kwargs, int mode) {
-            return PySession::call(self, entry_point, args, kwargs, mode);
-        })
-        .def("call_function", [](nb::handle self, nb::handle target, nb::str function, nb::tuple args, nb::dict kwargs, int mode) {
-            return PySession::call_function(self, target, function, args, kwargs, mode);
-        })
-        .def("get_property", [](nb::handle self, nb::handle target, nb::str path, int mode) { return PySession::get_property(self, target, path, mode); })
-        .def("set_property", [](nb::handle self, nb::handle target, nb::str path, nb::handle value, int mode) {
-            return PySession::set_property(self, target, path, value, mode);
-        }, nb::arg("target"), nb::arg("path"), nb::arg("value").none(), nb::arg("mode"));
+        .def("call", [](nb::handle self, std::string_view entry_point, nb::tuple args, nb::dict kwargs,
+                         int mode) { return PySession::call(self, entry_point, args, kwargs, mode); })
+        .def("call_function",
+            [](nb::handle self, nb::handle target, nb::str function, nb::tuple args, nb::dict kwargs, int mode) {
+                return PySession::call_function(self, target, function, args, kwargs, mode);
+            })
+        .def("get_property", [](nb::handle self, nb::handle target, nb::str path,
+                                 int mode) { return PySession::get_property(self, target, path, mode); })
+        .def(
+            "set_property",
+            [](nb::handle self, nb::handle target, nb::str path, nb::handle value, int mode) {
+                return PySession::set_property(self, target, path, value, mode);
+            },
+            nb::arg("target"), nb::arg("path"), nb::arg("value").none(), nb::arg("mode"));
 
-    module.def("connect", &connect_python, nb::kw_only(), nb::arg("address"), nb::arg("token"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
-    module.def("launch", &launch_python, nb::kw_only(), nb::arg("scene"), nb::arg("executable"), nb::arg("arguments"), nb::arg("fps"), nb::arg("fixed_dt"),
-        nb::arg("address"), nb::arg("paused"), nb::arg("log_file"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+    module.def("connect", &connect_python, nb::kw_only(), nb::arg("address"), nb::arg("token"), nb::arg("lease_ms"),
+        nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+    module.def("launch", &launch_python, nb::kw_only(), nb::arg("scene"), nb::arg("executable"), nb::arg("arguments"),
+        nb::arg("fps"), nb::arg("fixed_dt"), nb::arg("address"), nb::arg("paused"), nb::arg("log_file"),
+        nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
     module.def("list_engines", &list_engines);
     module.def("describe_engine", &describe_engine, nb::arg("address"), nb::arg("timeout_ms"));
     module.def("setup", &setup);

@@ -19,7 +19,8 @@ const std::vector<EntryPointRow>& entry_points() {
         std::vector<EntryPointRow> made;
         AllEntryPoints::for_each([&](auto entry) {
             using E = decltype(entry);
-            made.push_back({E::name, {E::parameters.begin(), E::parameters.end()}, !std::is_void_v<typename E::Result>});
+            made.push_back(
+                {E::name, {E::parameters.begin(), E::parameters.end()}, !std::is_void_v<typename E::Result>});
         });
         return made;
     }();
@@ -36,7 +37,8 @@ std::uint16_t find_entry_point(std::string_view name) {
     }();
     const auto at = numbers.find(name);
     if (at == numbers.end()) {
-        throw_error(ErrorCode::UnknownEntryPoint, "There is no entry point '" + std::string(name) + "'.", std::string(name));
+        throw_error(
+            ErrorCode::UnknownEntryPoint, "There is no entry point '" + std::string(name) + "'.", std::string(name));
     }
     return at->second;
 }
@@ -52,12 +54,15 @@ std::string_view text_of(nb::handle text, const char* what) {
 }
 
 TypeId number_type_named(std::string_view name) {
-    static constexpr std::pair<std::string_view, TypeId> rows[] = {{"f64", types::f64}, {"f32", types::f32}, {"i8", types::i8}, {"i16", types::i16},
-        {"i32", types::i32}, {"i64", types::i64}, {"u8", types::u8}, {"u16", types::u16}, {"u32", types::u32}};
+    static constexpr std::pair<std::string_view, TypeId> rows[] = {{"f64", types::f64}, {"f32", types::f32},
+        {"i8", types::i8}, {"i16", types::i16}, {"i32", types::i32}, {"i64", types::i64}, {"u8", types::u8},
+        {"u16", types::u16}, {"u32", types::u32}};
     for (const auto& [row, type] : rows) {
-        if (row == name) return type;
+        if (row == name)
+            return type;
     }
-    throw_error(ErrorCode::WrongType, "field_types has '" + std::string(name) + "'; it knows f64, f32, i8 ... i64, u8 ... u32.");
+    throw_error(ErrorCode::WrongType,
+        "field_types has '" + std::string(name) + "'; it knows f64, f32, i8 ... i64, u8 ... u32.");
 }
 
 } // namespace
@@ -77,7 +82,8 @@ PySession::~PySession() {
     }
 }
 
-// Operations -------------------------------------------------------------------------------------------------------------------
+// Operations
+// -------------------------------------------------------------------------------------------------------------------
 
 nb::object PySession::perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result) {
     if (mode == sync_mode) {
@@ -89,7 +95,8 @@ nb::object PySession::perform(nb::handle self, OperationBuilder& operation, int 
         return has_result ? decode_result(result, self) : nb::none();
     }
     if (mode == async_mode) {
-        return nb::cast(new NativeFuture{nb::borrow(self), operation.async(), has_result}, nb::rv_policy::take_ownership);
+        return nb::cast(
+            new NativeFuture{nb::borrow(self), operation.async(), has_result}, nb::rv_policy::take_ownership);
     }
     operation.send();
     return nb::none();
@@ -102,7 +109,9 @@ nb::object PySession::call(nb::handle self, std::string_view entry_point, nb::tu
     const std::size_t count = row.parameters.size();
     if (args.size() > count) {
         throw_error(ErrorCode::UnknownArgument,
-            std::string(entry_point) + " takes " + std::to_string(count) + " arguments, " + std::to_string(args.size()) + " were given.", std::string(entry_point));
+            std::string(entry_point) + " takes " + std::to_string(count) + " arguments, " +
+                std::to_string(args.size()) + " were given.",
+            std::string(entry_point));
     }
     OperationBuilder operation(*session.session_, number);
     Py_ssize_t used = 0;
@@ -112,7 +121,8 @@ nb::object PySession::call(nb::handle self, std::string_view entry_point, nb::tu
             const nb::str name(row.parameters[i].data(), row.parameters[i].size());
             if (PyObject* named = PyDict_GetItemWithError(kwargs.ptr(), name.ptr())) {
                 if (given) {
-                    throw_error(ErrorCode::UnknownArgument, "Argument '" + std::string(row.parameters[i]) + "' was given twice.", std::string(entry_point),
+                    throw_error(ErrorCode::UnknownArgument,
+                        "Argument '" + std::string(row.parameters[i]) + "' was given twice.", std::string(entry_point),
                         std::string(row.parameters[i]));
                 }
                 given = named;
@@ -120,13 +130,16 @@ nb::object PySession::call(nb::handle self, std::string_view entry_point, nb::tu
             }
         }
         if (!given) {
-            throw_error(ErrorCode::MissingArgument, "Argument '" + std::string(row.parameters[i]) + "' of " + std::string(entry_point) + " was not given.",
+            throw_error(ErrorCode::MissingArgument,
+                "Argument '" + std::string(row.parameters[i]) + "' of " + std::string(entry_point) + " was not given.",
                 std::string(entry_point), std::string(row.parameters[i]));
         }
         encode_python(operation, session, given);
     }
     if (used != PyDict_Size(kwargs.ptr())) {
-        throw_error(ErrorCode::UnknownArgument, std::string(entry_point) + " has no such argument as one of " + nb::str(kwargs).c_str() + ".", std::string(entry_point));
+        throw_error(ErrorCode::UnknownArgument,
+            std::string(entry_point) + " has no such argument as one of " + nb::str(kwargs).c_str() + ".",
+            std::string(entry_point));
     }
     return perform(self, operation, mode, row.has_result);
 }
@@ -165,7 +178,8 @@ ShapeId PySession::path_shape(nb::handle path) {
     return path_shapes_.emplace(std::string(text), session_->path_shape(text)).first->second;
 }
 
-nb::object PySession::call_function(nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode) {
+nb::object PySession::call_function(
+    nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode) {
     PySession& session = session_of(self);
     OperationBuilder operation(*session.session_, unreal_service::call_function);
     encode_python(operation, session, target);
@@ -198,7 +212,8 @@ nb::object PySession::set_property(nb::handle self, nb::handle target, nb::handl
     return perform(self, operation, mode, false);
 }
 
-// Blocks -----------------------------------------------------------------------------------------------------------------------
+// Blocks
+// -----------------------------------------------------------------------------------------------------------------------
 
 void PySession::begin_block() {
     const nb::gil_scoped_release unlock;
@@ -226,7 +241,8 @@ void PySession::close() {
     instance_.close();
 }
 
-// Caches -----------------------------------------------------------------------------------------------------------------------
+// Caches
+// -----------------------------------------------------------------------------------------------------------------------
 
 const StructWriter& PySession::writer_for(PyTypeObject* type) {
     if (const auto at = writers_.find(type); at != writers_.end()) {
@@ -269,7 +285,8 @@ const StructReader& PySession::struct_reader(TypeId type, const TypeInfo& info) 
         PyUnicode_InternInPlace(&name);
         reader.fields.push_back(name);
     }
-    reader.made = nb::handle(classes.struct_class)(nb::str(info.name.c_str(), info.name.size()), fields).release().ptr();
+    reader.made =
+        nb::handle(classes.struct_class)(nb::str(info.name.c_str(), info.name.size()), fields).release().ptr();
     return readers_.emplace(type, std::move(reader)).first->second;
 }
 
@@ -292,7 +309,8 @@ nb::object PySession::class_names(TypeId class_type) {
     nb::list chain;
     const TypeTables tables = session_->types();
     // Classes are announced after their super classes, so the chain cannot loop.
-    for (const TypeInfo* info = tables.find(class_type); info && info->kind == TypeKind::object_class; info = tables.find(info->element)) {
+    for (const TypeInfo* info = tables.find(class_type); info && info->kind == TypeKind::object_class;
+        info = tables.find(info->element)) {
         chain.append(nb::str(info->name.c_str(), info->name.size()));
         if (info->element == types::null) {
             break;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What Python sees of a session: PySession, NativeObject, NativeFuture. All members are guarded by Python's lock (the module declares
-// no free threading), except that waits release it.
+// What Python sees of a session: PySession, NativeObject, NativeFuture. All members are guarded by Python's lock (the
+// module declares no free threading), except that waits release it.
 
 #include <cstdint>
 #include <memory>
@@ -24,16 +24,16 @@ enum Mode : int { sync_mode = 0, async_mode = 1, send_mode = 2 };
 
 /// How values of a Python struct class are written.
 struct StructWriter {
-    TypeId numbers = types::null;     ///< announced type whose fields are numbers; null if the class names none
-    TypeId anything = types::null;    ///< announced type with fields of any type
-    std::vector<PyObject*> fields;    ///< interned names, kept alive by the class
-    std::vector<TypeId> field_types;  ///< of `numbers`
+    TypeId numbers = types::null;    ///< announced type whose fields are numbers; null if the class names none
+    TypeId anything = types::null;   ///< announced type with fields of any type
+    std::vector<PyObject*> fields;   ///< interned names, kept alive by the class
+    std::vector<TypeId> field_types; ///< of `numbers`
 };
 
 /// How values of an announced struct or enum are read.
 struct StructReader {
-    PyObject* made = nullptr;         ///< the class (owned)
-    std::vector<PyObject*> fields;    ///< interned names (owned)
+    PyObject* made = nullptr;            ///< the class (owned)
+    std::vector<PyObject*> fields;       ///< interned names (owned)
     PyObject* value_to_member = nullptr; ///< enums: {number: member} (owned)
 };
 
@@ -47,15 +47,18 @@ public:
     const std::shared_ptr<Session>& session() const { return session_; }
     Instance& instance() { return instance_; }
 
-    // Operations ---------------------------------------------------------------------------------------------------------
-    // `self` is the Python object of this session: objects and futures refer to it.
+    // Operations
+    // --------------------------------------------------------------------------------------------------------- `self`
+    // is the Python object of this session: objects and futures refer to it.
 
     static nb::object call(nb::handle self, std::string_view entry_point, nb::tuple args, nb::handle kwargs, int mode);
-    static nb::object call_function(nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode);
+    static nb::object call_function(
+        nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode);
     static nb::object get_property(nb::handle self, nb::handle target, nb::handle path, int mode);
     static nb::object set_property(nb::handle self, nb::handle target, nb::handle path, nb::handle value, int mode);
 
-    // Blocks -------------------------------------------------------------------------------------------------------------
+    // Blocks
+    // -------------------------------------------------------------------------------------------------------------
 
     void begin_block();
     void end_block();
@@ -64,7 +67,8 @@ public:
     void flush();
     void close();
 
-    // Caches -------------------------------------------------------------------------------------------------------------
+    // Caches
+    // -------------------------------------------------------------------------------------------------------------
 
     const StructWriter& writer_for(PyTypeObject* type);
     const StructReader& struct_reader(TypeId type, const TypeInfo& info);

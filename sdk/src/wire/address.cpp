@@ -17,9 +17,12 @@ namespace spear::wire {
 
 std::string Address::text() const {
     switch (kind) {
-    case Kind::unix_path: return "unix:" + path;
-    case Kind::unix_abstract: return "unix:@" + path;
-    case Kind::tcp: break;
+    case Kind::unix_path:
+        return "unix:" + path;
+    case Kind::unix_abstract:
+        return "unix:@" + path;
+    case Kind::tcp:
+        break;
     }
     const bool is_v6 = host.find(':') != std::string::npos;
     return "tcp://" + (is_v6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
@@ -27,9 +30,12 @@ std::string Address::text() const {
 
 std::string Address::kj_text() const {
     switch (kind) {
-    case Kind::unix_path: return "unix:" + path;
-    case Kind::unix_abstract: return "unix-abstract:" + path;
-    case Kind::tcp: break;
+    case Kind::unix_path:
+        return "unix:" + path;
+    case Kind::unix_abstract:
+        return "unix-abstract:" + path;
+    case Kind::tcp:
+        break;
     }
     return text().substr(std::strlen("tcp://"));
 }
@@ -50,7 +56,8 @@ void fill_error(spear_wire_error* error, ErrorCode code, std::string_view messag
 bool parse_address(std::string_view text, Address& address, spear_wire_error* error) {
     const auto refuse = [&](std::string_view why) {
         fill_error(error, ErrorCode::ConnectionError,
-            "'" + std::string(text) + "' is no address: " + std::string(why) + ". Use unix:/path/to/socket or tcp://host:port.");
+            "'" + std::string(text) + "' is no address: " + std::string(why) +
+                ". Use unix:/path/to/socket or tcp://host:port.");
         return false;
     };
     if (text.rfind("unix:", 0) == 0) {
@@ -63,7 +70,8 @@ bool parse_address(std::string_view text, Address& address, spear_wire_error* er
             return refuse("the path is empty");
         }
         if (path.size() >= sizeof(sockaddr_un::sun_path) - 1) {
-            return refuse("the path is longer than the system's " + std::to_string(sizeof(sockaddr_un::sun_path) - 2) + " bytes");
+            return refuse(
+                "the path is longer than the system's " + std::to_string(sizeof(sockaddr_un::sun_path) - 2) + " bytes");
         }
         address.kind = is_abstract ? Address::Kind::unix_abstract : Address::Kind::unix_path;
         address.path = std::string(path);
@@ -112,7 +120,8 @@ int listen_unix(const Address& address, spear_wire_error* error) {
     const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + address.path.size() + 1);
     const auto* generic = reinterpret_cast<const sockaddr*>(&where);
     const auto fail = [&](const char* what, int socket) {
-        fill_error(error, ErrorCode::ConnectionError, "Cannot listen at " + address.text() + ": " + what + ": " + std::strerror(errno) + ".");
+        fill_error(error, ErrorCode::ConnectionError,
+            "Cannot listen at " + address.text() + ": " + what + ": " + std::strerror(errno) + ".");
         if (socket >= 0) {
             ::close(socket);
         }
@@ -156,7 +165,8 @@ int listen_tcp(Address& address, spear_wire_error* error) {
         fill_error(error, ErrorCode::ConnectionError, "Cannot listen at " + address.text() + ": " + why + ".");
         return -1;
     };
-    if (const int failure = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found); failure != 0) {
+    if (const int failure = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found);
+        failure != 0) {
         return fail(::gai_strerror(failure));
     }
     int socket = -1;

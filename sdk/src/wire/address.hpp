@@ -30,8 +30,8 @@ void fill_error(spear_wire_error* error, ErrorCode code, std::string_view messag
 /// False, with the error filled, if the text is no address.
 bool parse_address(std::string_view text, Address& address, spear_wire_error* error);
 
-/// A socket bound to the address and listening (Unix: mode 0600; a dead socket file is replaced, a live one is not). -1 with the
-/// error filled on failure. Sets address.port to the real port.
+/// A socket bound to the address and listening (Unix: mode 0600; a dead socket file is replaced, a live one is not). -1
+/// with the error filled on failure. Sets address.port to the real port.
 int listen_at(Address& address, spear_wire_error* error);
 
 } // namespace spear::wire

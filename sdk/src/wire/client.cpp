@@ -60,12 +60,16 @@ struct Connection {
 };
 
 /// Connects within the deadline; throws kj::Exception, DISCONNECTED if nobody listens.
-kj::Own<Connection> open_connection(kj::AsyncIoContext& io, const Address& address, kj::TimePoint deadline, std::size_t max_message_bytes) {
-    auto stream = io.provider->getTimer().timeoutAt(deadline, io.provider->getNetwork().parseAddress(address.kj_text()).then(
-        [](kj::Own<kj::NetworkAddress> where) {
-            auto promise = where->connect();
-            return promise.attach(kj::mv(where));
-        })).wait(io.waitScope);
+kj::Own<Connection> open_connection(
+    kj::AsyncIoContext& io, const Address& address, kj::TimePoint deadline, std::size_t max_message_bytes) {
+    auto stream =
+        io.provider->getTimer()
+            .timeoutAt(deadline,
+                io.provider->getNetwork().parseAddress(address.kj_text()).then([](kj::Own<kj::NetworkAddress> where) {
+                    auto promise = where->connect();
+                    return promise.attach(kj::mv(where));
+                }))
+            .wait(io.waitScope);
     return kj::heap<Connection>(kj::mv(stream), max_message_bytes);
 }
 
@@ -96,10 +100,10 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
 
     std::mutex mutex;
     std::condition_variable changed;
-    bool started = false;        // under mutex: connected, or failed
-    bool connected = false;      // under mutex
-    spear_wire_error failure{};  // under mutex: why it did not connect
-    LoopQueue* queue = nullptr;  // under mutex; null before and after the session
+    bool started = false;         // under mutex: connected, or failed
+    bool connected = false;       // under mutex
+    spear_wire_error failure{};   // under mutex: why it did not connect
+    LoopQueue* queue = nullptr;   // under mutex; null before and after the session
     std::uint64_t session_id = 0; // written before `started`
     std::thread thread;
 
@@ -127,7 +131,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             connected = false;
         }
         spear_wire_error error{};
-        fill_error(&error, ErrorCode::Disconnected, "The connection to the engine at " + address.text() + " was lost: " + reason);
+        fill_error(&error, ErrorCode::Disconnected,
+            "The connection to the engine at " + address.text() + " was lost: " + reason);
         callbacks.lost(callbacks.user, &error);
     }
 
@@ -176,7 +181,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         if (ended) {
             return;
         }
-        const std::size_t words = (batch.types.size() + batch.operations.size()) / sizeof(capnp::word) + batch.releases.size() + 64;
+        const std::size_t words =
+            (batch.types.size() + batch.operations.size()) / sizeof(capnp::word) + batch.releases.size() + 64;
         auto request = live_session().submitRequest(capnp::MessageSize{words, 0});
         auto out = request.initBatch();
         out.setTransaction(batch.head.transaction);
@@ -189,7 +195,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         if (!batch.releases.empty()) {
             out.setReleases(kj::arrayPtr(batch.releases.data(), batch.releases.size()));
         }
-        tasks->add(request.send().then([this, number = batch.request](auto&& response) { receive(number, response.getAnswers()); }));
+        tasks->add(request.send().then(
+            [this, number = batch.request](auto&& response) { receive(number, response.getAnswers()); }));
     }
 
     void receive(std::uint64_t request, protocol::Answers::Reader answers) {
@@ -224,9 +231,11 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             serve(context, *connection);
         } catch (const kj::Exception& exception) {
             const bool timed_out = exception.getType() == kj::Exception::Type::OVERLOADED;
-            report_start(ErrorCode::EngineNotRunning, "No engine answers at " + address.text() + (timed_out ? " within " +
-                std::to_string(connect_timeout_ms) + " ms" : ": " + describe_failure(exception)) +
-                ". Start one with `spear engine`, or list those that run with `spear engine list`.");
+            report_start(ErrorCode::EngineNotRunning,
+                "No engine answers at " + address.text() +
+                    (timed_out ? " within " + std::to_string(connect_timeout_ms) + " ms"
+                               : ": " + describe_failure(exception)) +
+                    ". Start one with `spear engine`, or list those that run with `spear engine list`.");
             if (!ended && session_id != 0) {
                 lose(describe_failure(exception));
             }
@@ -266,7 +275,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     }
 };
 
-extern "C" spear_client* spear_client_connect(const spear_client_options* options, const spear_client_callbacks* callbacks, spear_wire_error* error) {
+extern "C" spear_client* spear_client_connect(
+    const spear_client_options* options, const spear_client_callbacks* callbacks, spear_wire_error* error) {
     try {
         auto client = std::make_unique<spear_client>();
         if (!parse_address(options->address ? options->address : "", client->address, error)) {
@@ -276,7 +286,8 @@ extern "C" spear_client* spear_client_connect(const spear_client_options* option
         client->spear_version = options->spear_version ? options->spear_version : "";
         client->client_name = options->client_name ? options->client_name : "";
         client->wanted_lease_ms = options->lease_ms;
-        client->connect_timeout_ms = options->connect_timeout_ms ? options->connect_timeout_ms : limits::default_deadline_ms;
+        client->connect_timeout_ms =
+            options->connect_timeout_ms ? options->connect_timeout_ms : limits::default_deadline_ms;
         client->max_message_bytes = options->max_message_bytes ? options->max_message_bytes : limits::max_message_bytes;
         client->entry_points.assign(options->entry_points, options->entry_points + options->entry_point_count);
         client->callbacks = *callbacks;
@@ -322,7 +333,9 @@ extern "C" int spear_client_submit(spear_client* client, uint64_t request, const
             } catch (const kj::Exception& exception) {
                 client->lose(describe_failure(exception));
             }
-        }) ? 0 : 1;
+        })
+                   ? 0
+                   : 1;
     } catch (const std::exception&) {
         return 1;
     }
@@ -348,7 +361,8 @@ struct StatusMeeting {
 };
 } // namespace
 
-extern "C" int spear_client_status(spear_client* client, uint32_t timeout_ms, spear_status* status, spear_wire_error* error) {
+extern "C" int spear_client_status(
+    spear_client* client, uint32_t timeout_ms, spear_status* status, spear_wire_error* error) {
     try {
         auto meeting = std::make_shared<StatusMeeting>();
         const bool posted = client->post([client, meeting] {
@@ -369,12 +383,15 @@ extern "C" int spear_client_status(spear_client* client, uint32_t timeout_ms, sp
                 [meeting](kj::Exception&& exception) { meeting->finish(true, describe_failure(exception)); }));
         });
         if (!posted) {
-            fill_error(error, ErrorCode::Disconnected, "The session with the engine at " + client->address.text() + " is over.");
+            fill_error(error, ErrorCode::Disconnected,
+                "The session with the engine at " + client->address.text() + " is over.");
             return 1;
         }
         std::unique_lock lock(meeting->mutex);
-        if (!meeting->changed.wait_for(lock, std::chrono::milliseconds(timeout_ms), [&] { return meeting->answered; })) {
-            fill_error(error, ErrorCode::DeadlineExceeded, "The engine's server thread gave no status within " + std::to_string(timeout_ms) + " ms.");
+        if (!meeting->changed.wait_for(
+                lock, std::chrono::milliseconds(timeout_ms), [&] { return meeting->answered; })) {
+            fill_error(error, ErrorCode::DeadlineExceeded,
+                "The engine's server thread gave no status within " + std::to_string(timeout_ms) + " ms.");
             return 1;
         }
         if (meeting->failed) {
@@ -402,14 +419,17 @@ extern "C" void spear_client_close(spear_client* client) {
         }
         // In good order if the server answers soon; a server that hangs is left.
         auto close = client->live_session().closeRequest().send().ignoreResult();
-        client->tasks->add(client->io->provider->getTimer().timeoutAfter(1 * kj::SECONDS, kj::mv(close)).then(
-            [client] { client->finish->fulfill(); }, [client](kj::Exception&&) { client->finish->fulfill(); }));
+        client->tasks->add(client->io->provider->getTimer()
+                .timeoutAfter(1 * kj::SECONDS, kj::mv(close))
+                .then(
+                    [client] { client->finish->fulfill(); }, [client](kj::Exception&&) { client->finish->fulfill(); }));
     });
     client->thread.join();
     delete client;
 }
 
-extern "C" int spear_describe(const char* address_text, uint32_t timeout_ms, spear_description* description, spear_wire_error* error) {
+extern "C" int spear_describe(
+    const char* address_text, uint32_t timeout_ms, spear_description* description, spear_wire_error* error) {
     Address address;
     if (!parse_address(address_text ? address_text : "", address, error)) {
         return 1;
@@ -421,7 +441,9 @@ extern "C" int spear_describe(const char* address_text, uint32_t timeout_ms, spe
             auto io = kj::setupAsyncIo();
             const kj::TimePoint deadline = io.provider->getTimer().now() + timeout_ms * kj::MILLISECONDS;
             auto connection = open_connection(io, address, deadline, 1 << 20);
-            auto response = io.provider->getTimer().timeoutAt(deadline, connection->server().describeRequest().send()).wait(io.waitScope);
+            auto response = io.provider->getTimer()
+                                .timeoutAt(deadline, connection->server().describeRequest().send())
+                                .wait(io.waitScope);
             const auto in = response.getDescription();
             copy_text(description->spear_version, in.getSpearVersion());
             copy_text(description->engine, in.getEngine());
@@ -430,7 +452,8 @@ extern "C" int spear_describe(const char* address_text, uint32_t timeout_ms, spe
             description->sessions = in.getSessions();
             result = 0;
         } catch (const kj::Exception& exception) {
-            fill_error(error, ErrorCode::EngineNotRunning, "No engine answers at " + address.text() + ": " + describe_failure(exception));
+            fill_error(error, ErrorCode::EngineNotRunning,
+                "No engine answers at " + address.text() + ": " + describe_failure(exception));
         } catch (const std::exception& exception) {
             fill_error(error, ErrorCode::InternalError, exception.what());
         }

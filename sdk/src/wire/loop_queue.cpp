@@ -30,7 +30,8 @@ bool LoopQueue::post(std::function<void()> work) {
         work_.push_back(std::move(work));
         if (first) { // under the lock, so that the descriptor cannot be closed meanwhile
             const std::uint64_t one = 1;
-            [[maybe_unused]] const auto written = ::write(event_fd_, &one, sizeof(one)); // fails only when already signalled
+            [[maybe_unused]] const auto written =
+                ::write(event_fd_, &one, sizeof(one)); // fails only when already signalled
         }
     }
     return true;

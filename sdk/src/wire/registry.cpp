@@ -27,7 +27,8 @@ std::string runtime_directory() {
     }
     // /tmp is everybody's: only a directory that is ours, and no link, may hold our sockets.
     struct stat info{};
-    if (::lstat(directory.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::getuid() || (info.st_mode & 0022) != 0) {
+    if (::lstat(directory.c_str(), &info) != 0 || !S_ISDIR(info.st_mode) || info.st_uid != ::getuid() ||
+        (info.st_mode & 0022) != 0) {
         return {};
     }
     return directory;
@@ -68,7 +69,8 @@ extern "C" size_t spear_runtime_directory(char* buffer, size_t size) {
     }
 }
 
-extern "C" size_t spear_list_engines(const char* directory, void* user, void (*each)(void* user, const char* address, uint64_t process_id)) {
+extern "C" size_t spear_list_engines(
+    const char* directory, void* user, void (*each)(void* user, const char* address, uint64_t process_id)) {
     std::size_t count = 0;
     try {
         const std::string home = directory && *directory ? directory : spear::wire::runtime_directory();
@@ -80,8 +82,8 @@ extern "C" size_t spear_list_engines(const char* directory, void* user, void (*e
             }
             std::ifstream in(entry.path());
             const auto json = nlohmann::json::parse(in, nullptr, false);
-            if (!json.is_object() || !json.contains("address") || !json["address"].is_string() || !json.contains("pid") ||
-                !json["pid"].is_number_integer()) {
+            if (!json.is_object() || !json.contains("address") || !json["address"].is_string() ||
+                !json.contains("pid") || !json["pid"].is_number_integer()) {
                 continue;
             }
             const auto process = json["pid"].get<pid_t>();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Where running engines of this user are listed, for `spear engine list` and connect() without an address: a directory with one
-// small JSON file for each, {"address": ..., "pid": ...}, written when a server starts and removed when it stops. A file whose
-// process is gone counts as absent.
+// Where running engines of this user are listed, for `spear engine list` and connect() without an address: a directory
+// with one small JSON file for each, {"address": ..., "pid": ...}, written when a server starts and removed when it
+// stops. A file whose process is gone counts as absent.
 
 #include <string>
 
@@ -22,7 +22,8 @@ private:
     std::string file_;
 };
 
-/// $XDG_RUNTIME_DIR/spear, or /tmp/spear-<uid>; made with mode 0700 if it is absent. Empty if that cannot be had safely.
+/// $XDG_RUNTIME_DIR/spear, or /tmp/spear-<uid>; made with mode 0700 if it is absent. Empty if that cannot be had
+/// safely.
 std::string runtime_directory();
 
 } // namespace spear::wire

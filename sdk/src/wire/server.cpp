@@ -29,10 +29,14 @@ namespace {
 
 using Text = std::string;
 
-capnp::Data::Reader as_data(const std::vector<uint8_t>& bytes) { return capnp::Data::Reader(bytes.data(), bytes.size()); }
+capnp::Data::Reader as_data(const std::vector<uint8_t>& bytes) {
+    return capnp::Data::Reader(bytes.data(), bytes.size());
+}
 spear_bytes as_bytes(capnp::Data::Reader data) { return {data.begin(), data.size()}; }
 template <std::size_t N>
-kj::StringPtr as_text(const char (&buffer)[N]) { return kj::StringPtr(buffer, strnlen(buffer, N - 1)); }
+kj::StringPtr as_text(const char (&buffer)[N]) {
+    return kj::StringPtr(buffer, strnlen(buffer, N - 1));
+}
 
 /// Answers on their way from the game thread to the loop.
 struct Reply {
@@ -64,7 +68,8 @@ struct SessionState {
 /// The capability that a client holds. It may outlive its session: then every call fails.
 class SessionServer final : public protocol::Session::Server {
 public:
-    SessionServer(ServerLoop& loop, std::shared_ptr<const bool> loop_lives, std::uint64_t id) : loop_(loop), loop_lives_(std::move(loop_lives)), id_(id) {}
+    SessionServer(ServerLoop& loop, std::shared_ptr<const bool> loop_lives, std::uint64_t id)
+        : loop_(loop), loop_lives_(std::move(loop_lives)), id_(id) {}
     ~SessionServer() noexcept(false);
     kj::Promise<void> submit(SubmitContext context) override;
     kj::Promise<void> renew(RenewContext context) override;
@@ -100,11 +105,12 @@ struct Options {
 /// Everything that lives on the server thread.
 class ServerLoop : private kj::TaskSet::ErrorHandler {
 public:
-    ServerLoop(kj::AsyncIoContext& io, LoopQueue& queue, const Options& options, const spear_server_callbacks& callbacks, int listener)
+    ServerLoop(kj::AsyncIoContext& io, LoopQueue& queue, const Options& options,
+        const spear_server_callbacks& callbacks, int listener)
         : io_(io), options_(options), callbacks_(callbacks), tasks_(*this),
-          listener_(io.lowLevelProvider->wrapListenSocketFd(listener, kj::LowLevelAsyncIoProvider::TAKE_OWNERSHIP |
-                                                                          kj::LowLevelAsyncIoProvider::ALREADY_CLOEXEC |
-                                                                          kj::LowLevelAsyncIoProvider::ALREADY_NONBLOCK)) {
+          listener_(io.lowLevelProvider->wrapListenSocketFd(
+              listener, kj::LowLevelAsyncIoProvider::TAKE_OWNERSHIP | kj::LowLevelAsyncIoProvider::ALREADY_CLOEXEC |
+                            kj::LowLevelAsyncIoProvider::ALREADY_NONBLOCK)) {
         auto stop = kj::newPromiseAndFulfiller<void>();
         stop_ = kj::mv(stop.fulfiller);
         stopped_ = kj::mv(stop.promise);
@@ -208,8 +214,9 @@ void ServerLoop::connect(std::uint64_t connection, ConnectContext context) {
     };
     if (hello.getProtocolVersion() != protocol::PROTOCOL_VERSION) {
         return refuse(ErrorCode::VersionMismatch,
-            "The client (spear " + Text(hello.getSpearVersion().cStr()) + ") speaks protocol " + std::to_string(hello.getProtocolVersion()) +
-                ", this engine's plugin (spear " + options_.spear_version + ") speaks protocol " + std::to_string(protocol::PROTOCOL_VERSION) +
+            "The client (spear " + Text(hello.getSpearVersion().cStr()) + ") speaks protocol " +
+                std::to_string(hello.getProtocolVersion()) + ", this engine's plugin (spear " + options_.spear_version +
+                ") speaks protocol " + std::to_string(protocol::PROTOCOL_VERSION) +
                 ". Install the same version on both sides.");
     }
     const auto token = hello.getToken();
@@ -220,15 +227,19 @@ void ServerLoop::connect(std::uint64_t connection, ConnectContext context) {
             difference |= static_cast<unsigned>(token[i] ^ options_.token[i]);
         }
         if (difference != 0) {
-            return refuse(ErrorCode::Unauthorized, "The server refused the token. Give the token that the engine was started with.");
+            return refuse(ErrorCode::Unauthorized,
+                "The server refused the token. Give the token that the engine was started with.");
         }
     }
     if (sessions_.size() >= options_.max_sessions) {
-        return refuse(ErrorCode::LimitExceeded, "The engine has its limit of " + std::to_string(options_.max_sessions) + " sessions.");
+        return refuse(ErrorCode::LimitExceeded,
+            "The engine has its limit of " + std::to_string(options_.max_sessions) + " sessions.");
     }
     std::uint32_t lease = hello.getLeaseMs() == 0 ? options_.default_lease_ms : hello.getLeaseMs();
     if (lease != SPEAR_LEASE_OFF) {
-        lease = lease < limits::min_lease_ms ? limits::min_lease_ms : lease > limits::max_lease_ms ? limits::max_lease_ms : lease;
+        lease = lease < limits::min_lease_ms   ? limits::min_lease_ms
+                : lease > limits::max_lease_ms ? limits::max_lease_ms
+                                               : lease;
     }
     std::vector<Text> entry_points;
     for (const auto entry : hello.getEntryPoints()) {
@@ -295,7 +306,8 @@ kj::Promise<void> ServerLoop::submit(std::uint64_t id, SessionState::SubmitConte
     const std::uint64_t request = next_request_++;
     auto done = kj::newPromiseAndFulfiller<void>();
     state.pending.emplace(request, SessionState::Pending{context, kj::mv(done.fulfiller)});
-    callbacks_.submit(callbacks_.user, id, request, &out); // may reply at once: through the queue, so not before this returns
+    callbacks_.submit(
+        callbacks_.user, id, request, &out); // may reply at once: through the queue, so not before this returns
     context.releaseParams();
     return kj::mv(done.promise);
 }
@@ -311,7 +323,8 @@ void ServerLoop::reply(std::uint64_t id, std::uint64_t request, const Reply& rep
     }
     SessionState::Pending answered = kj::mv(pending->second);
     at->second.pending.erase(pending);
-    const std::size_t words = (reply.types.size() + reply.answers.size() + reply.error_message.size()) / sizeof(capnp::word) + 32;
+    const std::size_t words =
+        (reply.types.size() + reply.answers.size() + reply.error_message.size()) / sizeof(capnp::word) + 32;
     auto answers = answered.context.getResults(capnp::MessageSize{words, 0}).initAnswers();
     answers.setTypes(as_data(reply.types));
     answers.setAnswers(as_data(reply.answers));
@@ -447,7 +460,8 @@ struct spear_server {
     }
 };
 
-extern "C" spear_server* spear_server_start(const spear_server_options* options, const spear_server_callbacks* callbacks, spear_wire_error* error) {
+extern "C" spear_server* spear_server_start(
+    const spear_server_options* options, const spear_server_callbacks* callbacks, spear_wire_error* error) {
     try {
         auto server = std::make_unique<spear_server>();
         server->callbacks = *callbacks;
@@ -462,7 +476,8 @@ extern "C" spear_server* spear_server_start(const spear_server_options* options,
         own.max_sessions = options->max_sessions ? options->max_sessions : limits::max_sessions;
         if (!own.address.is_local() && own.token.empty()) {
             fill_error(error, ErrorCode::Unauthorized,
-                own.address.text() + " can be reached from other machines, so it needs a token: give one, or use a Unix socket or 127.0.0.1.");
+                own.address.text() + " can be reached from other machines, so it needs a token: give one, or use a "
+                                     "Unix socket or 127.0.0.1.");
             return nullptr;
         }
         server->listener = listen_at(own.address, error);
@@ -480,7 +495,8 @@ extern "C" spear_server* spear_server_start(const spear_server_options* options,
             fill_error(error, ErrorCode::InternalError, "The server thread did not start: " + server->failure);
             return nullptr;
         }
-        server->registered = std::make_unique<RegistryEntry>(options->registry_directory ? options->registry_directory : "", server->address);
+        server->registered = std::make_unique<RegistryEntry>(
+            options->registry_directory ? options->registry_directory : "", server->address);
         return server.release();
     } catch (const std::exception& exception) {
         fill_error(error, ErrorCode::InternalError, exception.what());
@@ -492,7 +508,8 @@ extern "C" spear_server* spear_server_start(const spear_server_options* options,
 
 extern "C" const char* spear_server_address(const spear_server* server) { return server->address.c_str(); }
 
-extern "C" void spear_server_reply(spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers) {
+extern "C" void spear_server_reply(
+    spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers) {
     try {
         auto reply = std::make_shared<Reply>();
         reply->types.assign(answers->types.data, answers->types.data + answers->types.size);
@@ -514,7 +531,9 @@ extern "C" void spear_server_reply(spear_server* server, uint64_t session, uint6
 
 extern "C" void spear_server_drop(spear_server* server, uint64_t session, const char* reason) {
     try {
-        server->post([server, session, text = Text(reason ? reason : "the server dropped it")] { server->loop->end_session(session, text.c_str()); });
+        server->post([server, session, text = Text(reason ? reason : "the server dropped it")] {
+            server->loop->end_session(session, text.c_str());
+        });
     } catch (...) { // no memory: the lease will end it
     }
 }

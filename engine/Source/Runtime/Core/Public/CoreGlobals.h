@@ -41,18 +41,10 @@ CORE_API void RequestEngineExit(const FString& ReasonString);
 CORE_API void ClearEngineExitRequest();
 
 CORE_API bool IsInGameThread();
-inline bool IsRunningCommandlet() {
-    return PRIVATE_GIsRunningCommandlet;
-}
-inline bool IsRunningDedicatedServer() {
-    return false;
-}
-inline bool IsRunningGame() {
-    return !GIsEditor && !IsRunningCommandlet();
-}
-inline bool IsRunningClientOnly() {
-    return false;
-}
+inline bool IsRunningCommandlet() { return PRIVATE_GIsRunningCommandlet; }
+inline bool IsRunningDedicatedServer() { return false; }
+inline bool IsRunningGame() { return !GIsEditor && !IsRunningCommandlet(); }
+inline bool IsRunningClientOnly() { return false; }
 
 CORE_API DECLARE_LOG_CATEGORY_EXTERN(LogTemp, Log, All)
 CORE_API DECLARE_LOG_CATEGORY_EXTERN(LogCore, Log, All)

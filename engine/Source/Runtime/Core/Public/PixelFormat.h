@@ -22,22 +22,22 @@ enum EPixelFormat : uint8 {
 /** Bytes of one pixel, or 0 for formats without pixels of their own. */
 inline uint32 GetPixelFormatBlockBytes(EPixelFormat Format) {
     switch (Format) {
-        case PF_A32B32G32R32F:
-            return 16;
-        case PF_FloatRGBA:
-            return 8;
-        case PF_B8G8R8A8:
-        case PF_R8G8B8A8:
-        case PF_R32_FLOAT:
-        case PF_R32_UINT:
-            return 4;
-        case PF_G16:
-        case PF_R16F:
-            return 2;
-        case PF_G8:
-        case PF_A8:
-            return 1;
-        default:
-            return 0;
+    case PF_A32B32G32R32F:
+        return 16;
+    case PF_FloatRGBA:
+        return 8;
+    case PF_B8G8R8A8:
+    case PF_R8G8B8A8:
+    case PF_R32_FLOAT:
+    case PF_R32_UINT:
+        return 4;
+    case PF_G16:
+    case PF_R16F:
+        return 2;
+    case PF_G8:
+    case PF_A8:
+        return 1;
+    default:
+        return 0;
     }
 }

@@ -41,7 +41,7 @@ FQueues& Queues() {
     return *Instance;
 }
 
-}  // namespace
+} // namespace
 
 FTaskGraphInterface& FTaskGraphInterface::Get() {
     static FTaskGraphInterface Instance;

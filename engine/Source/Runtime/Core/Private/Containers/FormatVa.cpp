@@ -112,7 +112,7 @@ void PutNumber(FSink& Sink, FSpec& Spec, const char* Length, char Conversion, T 
     }
 #pragma GCC diagnostic pop
 }
-}  // namespace
+} // namespace
 
 int32 FormatVa(TCHAR* Dest, SIZE_T DestSize, const TCHAR* Format, va_list InArgs) {
     FSink Sink{Dest, DestSize > 0 ? DestSize - 1 : 0};
@@ -130,7 +130,8 @@ int32 FormatVa(TCHAR* Dest, SIZE_T DestSize, const TCHAR* Format, va_list InArgs
         }
         FSpec Spec;
         Spec.Add('%');
-        for (; *Format && FCStringAnsi::Strchr("-+ #0", static_cast<char>(*Format < 0x80 ? *Format : 1)) && *Format; ++Format) {
+        for (; *Format && FCStringAnsi::Strchr("-+ #0", static_cast<char>(*Format < 0x80 ? *Format : 1)) && *Format;
+            ++Format) {
             Spec.bLeft |= *Format == TCHAR('-');
             Spec.Add(static_cast<char>(*Format));
         }
@@ -190,58 +191,59 @@ int32 FormatVa(TCHAR* Dest, SIZE_T DestSize, const TCHAR* Format, va_list InArgs
             ++Format;
         }
         switch (Conversion) {
-            case 'd':
-            case 'i':
-                if (Length >= 2) {
-                    PutNumber(Sink, Spec, "ll", 'd', va_arg(Args, long long));
-                } else if (Length == 1) {
-                    PutNumber(Sink, Spec, "l", 'd', va_arg(Args, long));
-                } else {
-                    PutNumber(Sink, Spec, Length == -1 ? "h" : (Length <= -2 ? "hh" : ""), 'd', va_arg(Args, int));
-                }
-                break;
-            case 'u':
-            case 'o':
-            case 'x':
-            case 'X':
-                if (Length >= 2) {
-                    PutNumber(Sink, Spec, "ll", Conversion, va_arg(Args, unsigned long long));
-                } else if (Length == 1) {
-                    PutNumber(Sink, Spec, "l", Conversion, va_arg(Args, unsigned long));
-                } else {
-                    PutNumber(Sink, Spec, Length == -1 ? "h" : (Length <= -2 ? "hh" : ""), Conversion, va_arg(Args, unsigned int));
-                }
-                break;
-            case 'f':
-            case 'F':
-            case 'e':
-            case 'E':
-            case 'g':
-            case 'G':
-            case 'a':
-            case 'A':
-                PutNumber(Sink, Spec, "", Conversion, va_arg(Args, double));
-                break;
-            case 'p':
-                PutNumber(Sink, Spec, "", 'p', va_arg(Args, void*));
-                break;
-            case 'c': {
-                const TCHAR Char = static_cast<TCHAR>(va_arg(Args, int));
-                Sink.PutText(&Char, 1, Spec.Width, Spec.bLeft);
-                break;
+        case 'd':
+        case 'i':
+            if (Length >= 2) {
+                PutNumber(Sink, Spec, "ll", 'd', va_arg(Args, long long));
+            } else if (Length == 1) {
+                PutNumber(Sink, Spec, "l", 'd', va_arg(Args, long));
+            } else {
+                PutNumber(Sink, Spec, Length == -1 ? "h" : (Length <= -2 ? "hh" : ""), 'd', va_arg(Args, int));
             }
-            case 's':
-                if (Length < 0) {
-                    PutString(Sink, Spec, va_arg(Args, const ANSICHAR*));
-                } else {
-                    PutString(Sink, Spec, va_arg(Args, const TCHAR*));
-                }
-                break;
-            case 'S':
+            break;
+        case 'u':
+        case 'o':
+        case 'x':
+        case 'X':
+            if (Length >= 2) {
+                PutNumber(Sink, Spec, "ll", Conversion, va_arg(Args, unsigned long long));
+            } else if (Length == 1) {
+                PutNumber(Sink, Spec, "l", Conversion, va_arg(Args, unsigned long));
+            } else {
+                PutNumber(Sink, Spec, Length == -1 ? "h" : (Length <= -2 ? "hh" : ""), Conversion,
+                    va_arg(Args, unsigned int));
+            }
+            break;
+        case 'f':
+        case 'F':
+        case 'e':
+        case 'E':
+        case 'g':
+        case 'G':
+        case 'a':
+        case 'A':
+            PutNumber(Sink, Spec, "", Conversion, va_arg(Args, double));
+            break;
+        case 'p':
+            PutNumber(Sink, Spec, "", 'p', va_arg(Args, void*));
+            break;
+        case 'c': {
+            const TCHAR Char = static_cast<TCHAR>(va_arg(Args, int));
+            Sink.PutText(&Char, 1, Spec.Width, Spec.bLeft);
+            break;
+        }
+        case 's':
+            if (Length < 0) {
                 PutString(Sink, Spec, va_arg(Args, const ANSICHAR*));
-                break;
-            default:
-                checkf(false, TEXT("Unknown conversion '%%%c' in a format string"), Conversion ? Conversion : '?');
+            } else {
+                PutString(Sink, Spec, va_arg(Args, const TCHAR*));
+            }
+            break;
+        case 'S':
+            PutString(Sink, Spec, va_arg(Args, const ANSICHAR*));
+            break;
+        default:
+            checkf(false, TEXT("Unknown conversion '%%%c' in a format string"), Conversion ? Conversion : '?');
         }
     }
     va_end(Args);
@@ -250,7 +252,7 @@ int32 FormatVa(TCHAR* Dest, SIZE_T DestSize, const TCHAR* Format, va_list InArgs
     }
     return Sink.Length < DestSize ? static_cast<int32>(Sink.Length) : -1 - static_cast<int32>(Sink.Length);
 }
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 FString FString::PrintfVa(const TCHAR* Fmt, va_list Args) {
     TCHAR Small[512];

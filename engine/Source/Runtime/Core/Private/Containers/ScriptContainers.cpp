@@ -86,7 +86,7 @@ void FScriptSet::RemoveAt(int32 Index, const FScriptSetLayout& Layout) {
     check(IsValidIndex(Index));
     if (HashSize) {
         for (FSetElementId* Next = &Bucket(static_cast<uint32>(GetHashIndexRef(Index, Layout))); Next->IsValidId();
-             Next = &GetHashNextIdRef(Next->AsInteger(), Layout)) {
+            Next = &GetHashNextIdRef(Next->AsInteger(), Layout)) {
             if (Next->AsInteger() == Index) {
                 *Next = GetHashNextIdRef(Index, Layout);
                 break;
@@ -118,7 +118,7 @@ void FScriptSet::Rehash(const FScriptSetLayout& Layout, TFunctionRef<uint32(cons
 }
 
 int32 FScriptSet::FindIndexByHash(const void* Element, const FScriptSetLayout& Layout, uint32 KeyHash,
-                                  TFunctionRef<bool(const void*, const void*)> EqualityFn) const {
+    TFunctionRef<bool(const void*, const void*)> EqualityFn) const {
     if (Elements.Num() && HashSize) {
         for (FSetElementId Id = Bucket(KeyHash); Id.IsValidId(); Id = GetHashNextIdRef(Id.AsInteger(), Layout)) {
             if (EqualityFn(Element, GetData(Id.AsInteger(), Layout))) {
@@ -130,16 +130,16 @@ int32 FScriptSet::FindIndexByHash(const void* Element, const FScriptSetLayout& L
 }
 
 int32 FScriptSet::FindIndex(const void* Element, const FScriptSetLayout& Layout,
-                            TFunctionRef<uint32(const void*)> GetKeyHash,
-                            TFunctionRef<bool(const void*, const void*)> EqualityFn) const {
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> EqualityFn) const {
     return Elements.Num() ? FindIndexByHash(Element, Layout, GetKeyHash(Element), EqualityFn) : INDEX_NONE;
 }
 
 int32 FScriptSet::AddNewElement(const FScriptSetLayout& Layout, TFunctionRef<uint32(const void*)> GetKeyHash,
-                                uint32 KeyHash, TFunctionRef<void(void*)> ConstructFn) {
+    uint32 KeyHash, TFunctionRef<void(void*)> ConstructFn) {
     const int32 Index = Elements.AddUninitialized(Layout.SparseArrayLayout);
     ConstructFn(GetData(Index, Layout));
-    const int32 Desired = static_cast<int32>(FDefaultSetAllocator::GetNumberOfHashBuckets(static_cast<uint32>(Elements.Num())));
+    const int32 Desired =
+        static_cast<int32>(FDefaultSetAllocator::GetNumberOfHashBuckets(static_cast<uint32>(Elements.Num())));
     if (!HashSize || HashSize < Desired) {
         Rehash(Layout, GetKeyHash);
     } else {
@@ -149,16 +149,16 @@ int32 FScriptSet::AddNewElement(const FScriptSetLayout& Layout, TFunctionRef<uin
 }
 
 int32 FScriptSet::FindOrAdd(const void* Element, const FScriptSetLayout& Layout,
-                            TFunctionRef<uint32(const void*)> GetKeyHash,
-                            TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn) {
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> EqualityFn,
+    TFunctionRef<void(void*)> ConstructFn) {
     const uint32 KeyHash = GetKeyHash(Element);
     const int32 Found = FindIndexByHash(Element, Layout, KeyHash, EqualityFn);
     return Found != INDEX_NONE ? Found : AddNewElement(Layout, GetKeyHash, KeyHash, ConstructFn);
 }
 
 void FScriptSet::Add(const void* Element, const FScriptSetLayout& Layout, TFunctionRef<uint32(const void*)> GetKeyHash,
-                     TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn,
-                     TFunctionRef<void(void*)> DestructFn) {
+    TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn,
+    TFunctionRef<void(void*)> DestructFn) {
     const uint32 KeyHash = GetKeyHash(Element);
     const int32 Found = FindIndexByHash(Element, Layout, KeyHash, EqualityFn);
     if (Found == INDEX_NONE) {
@@ -181,26 +181,23 @@ FScriptMapLayout FScriptMap::GetScriptLayout(int32 KeySize, int32 KeyAlignment, 
 }
 
 int32 FScriptMap::FindPairIndex(const void* Key, const FScriptMapLayout& MapLayout,
-                                TFunctionRef<uint32(const void*)> GetKeyHash,
-                                TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) const {
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) const {
     // A pair begins with its key, so the set's functions may take a key for a pair.
     return Pairs.FindIndex(Key, MapLayout.SetLayout, GetKeyHash, KeyEqualityFn);
 }
 
 uint8* FScriptMap::FindValue(const void* Key, const FScriptMapLayout& MapLayout,
-                             TFunctionRef<uint32(const void*)> GetKeyHash,
-                             TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) {
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) {
     const int32 Index = FindPairIndex(Key, MapLayout, GetKeyHash, KeyEqualityFn);
     return Index == INDEX_NONE ? nullptr
                                : static_cast<uint8*>(Pairs.GetData(Index, MapLayout.SetLayout)) + MapLayout.ValueOffset;
 }
 
 void FScriptMap::Add(const void* Key, const void* Value, const FScriptMapLayout& MapLayout,
-                     TFunctionRef<uint32(const void*)> GetKeyHash,
-                     TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
-                     TFunctionRef<void(void*)> KeyConstructAndAssignFn, TFunctionRef<void(void*)> ValueConstructAndAssignFn,
-                     TFunctionRef<void(void*)> ValueAssignFn, TFunctionRef<void(void*)> DestructKeyFn,
-                     TFunctionRef<void(void*)> DestructValueFn) {
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
+    TFunctionRef<void(void*)> KeyConstructAndAssignFn, TFunctionRef<void(void*)> ValueConstructAndAssignFn,
+    TFunctionRef<void(void*)> ValueAssignFn, TFunctionRef<void(void*)> DestructKeyFn,
+    TFunctionRef<void(void*)> DestructValueFn) {
     (void)Value;
     const int32 ValueOffset = MapLayout.ValueOffset;
     bool bExisting = false;
@@ -224,10 +221,8 @@ void FScriptMap::Add(const void* Key, const void* Value, const FScriptMapLayout&
 }
 
 int32 FScriptMap::FindOrAdd(const void* Key, const FScriptMapLayout& MapLayout,
-                            TFunctionRef<uint32(const void*)> GetKeyHash,
-                            TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
-                            TFunctionRef<void(void*, void*)> ConstructPairFn) {
-    return Pairs.FindOrAdd(Key, MapLayout.SetLayout, GetKeyHash, KeyEqualityFn, [&](void* Pair) {
-        ConstructPairFn(Pair, static_cast<uint8*>(Pair) + MapLayout.ValueOffset);
-    });
+    TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
+    TFunctionRef<void(void*, void*)> ConstructPairFn) {
+    return Pairs.FindOrAdd(Key, MapLayout.SetLayout, GetKeyHash, KeyEqualityFn,
+        [&](void* Pair) { ConstructPairFn(Pair, static_cast<uint8*>(Pair) + MapLayout.ValueOffset); });
 }

@@ -20,9 +20,7 @@ FString& FString::AppendChars(const TCHAR* Str, int32 Count) {
     return *this;
 }
 
-void FString::AppendInt(int32 Num) {
-    Append(FromInt(Num));
-}
+void FString::AppendInt(int32 Num) { Append(FromInt(Num)); }
 
 void FString::PathAppend(const TCHAR* Str, int32 StrLength) {
     if (StrLength == 0) {
@@ -45,9 +43,7 @@ void FString::PathAppend(const TCHAR* Str, int32 StrLength) {
     AppendChars(Str, StrLength);
 }
 
-void FString::InsertAt(int32 Index, TCHAR Character) {
-    InsertAt(Index, Chr(Character));
-}
+void FString::InsertAt(int32 Index, TCHAR Character) { InsertAt(Index, Chr(Character)); }
 
 void FString::InsertAt(int32 Index, const FString& Characters) {
     check(Index >= 0 && Index <= Len());
@@ -102,7 +98,7 @@ bool FString::MatchesWildcard(FStringView Wildcard, ESearchCase::Type SearchCase
 }
 
 bool FString::Split(const FString& InS, FString* LeftS, FString* RightS, ESearchCase::Type SearchCase,
-                    ESearchDir::Type SearchDir) const {
+    ESearchDir::Type SearchDir) const {
     const int32 Place = Find(InS, SearchCase, SearchDir);
     if (Place == INDEX_NONE) {
         return false;
@@ -124,8 +120,8 @@ int32 FString::ParseIntoArray(TArray<FString>& OutArray, const TCHAR* pchDelim, 
     return ParseIntoArray(OutArray, &pchDelim, 1, InCullEmpty);
 }
 
-int32 FString::ParseIntoArray(TArray<FString>& OutArray, const TCHAR* const* DelimArray, int32 NumDelims,
-                              bool InCullEmpty) const {
+int32 FString::ParseIntoArray(
+    TArray<FString>& OutArray, const TCHAR* const* DelimArray, int32 NumDelims, bool InCullEmpty) const {
     TArray<FString> Parts;
     const FStringView Text = View();
     int32 Start = 0;
@@ -189,9 +185,7 @@ FString FString::TrimChar(TCHAR CharacterToTrim, bool* bCharRemoved) const {
     return Mid(bFront ? 1 : 0, Len() - (bFront ? 1 : 0) - (bBack ? 1 : 0));
 }
 
-FString FString::TrimQuotes(bool* bQuotesRemoved) const {
-    return TrimChar(TCHAR('"'), bQuotesRemoved);
-}
+FString FString::TrimQuotes(bool* bQuotesRemoved) const { return TrimChar(TCHAR('"'), bQuotesRemoved); }
 
 FString FString::LeftPad(int32 ChCount) const {
     return ChCount > Len() ? ChrN(ChCount - Len(), TCHAR(' ')) + *this : *this;
@@ -229,7 +223,8 @@ int32 FString::ReplaceInline(const TCHAR* SearchText, const TCHAR* ReplacementTe
 
 void FString::ReplaceCharInline(TCHAR SearchChar, TCHAR ReplacementChar, ESearchCase::Type SearchCase) {
     for (TCHAR& Char : *this) {
-        if (Char == SearchChar || (SearchCase == ESearchCase::IgnoreCase && FChar::ToLower(Char) == FChar::ToLower(SearchChar))) {
+        if (Char == SearchChar ||
+            (SearchCase == ESearchCase::IgnoreCase && FChar::ToLower(Char) == FChar::ToLower(SearchChar))) {
             Char = ReplacementChar;
         }
     }
@@ -241,8 +236,8 @@ struct FEscape {
     TCHAR Letter;
 };
 const FEscape Escapes[] = {{TCHAR('\n'), TCHAR('n')}, {TCHAR('\r'), TCHAR('r')}, {TCHAR('\t'), TCHAR('t')},
-                           {TCHAR('\''), TCHAR('\'')}, {TCHAR('\\'), TCHAR('\\')}, {TCHAR('"'), TCHAR('"')}};
-}  // namespace
+    {TCHAR('\''), TCHAR('\'')}, {TCHAR('\\'), TCHAR('\\')}, {TCHAR('"'), TCHAR('"')}};
+} // namespace
 
 FString FString::ReplaceCharWithEscapedChar() const {
     FString Result;
@@ -277,9 +272,7 @@ FString FString::ReplaceEscapedCharWithChar() const {
     return Result;
 }
 
-void FString::RemoveSpacesInline() {
-    ReplaceInline(TEXT(" "), TEXT(""));
-}
+void FString::RemoveSpacesInline() { ReplaceInline(TEXT(" "), TEXT("")); }
 
 FString FString::Format(const TCHAR* InFormatString, const FStringFormatNamedArguments& InNamedArguments) {
     FString Result;
@@ -322,9 +315,7 @@ FString FString::ChrN(int32 NumCharacters, TCHAR Char) {
     return Result;
 }
 
-FString FString::FromInt(int32 Num) {
-    return Printf(TEXT("%d"), Num);
-}
+FString FString::FromInt(int32 Num) { return Printf(TEXT("%d"), Num); }
 
 FString FString::FormatAsNumber(int32 InNumber) {
     FString Result = FromInt(InNumber);
@@ -337,11 +328,11 @@ FString FString::FormatAsNumber(int32 InNumber) {
 
 FString FString::SanitizeFloat(double InFloat, int32 InMinFractionalDigits) {
     if (InFloat == 0.0) {
-        InFloat = 0.0;  // no "-0"
+        InFloat = 0.0; // no "-0"
     }
     FString Result = Printf(TEXT("%f"), InFloat);
     if (!Result.IsNumeric()) {
-        return Result;  // inf, nan
+        return Result; // inf, nan
     }
     int32 Dot = INDEX_NONE;
     if (Result.FindChar(TCHAR('.'), Dot)) {
@@ -381,7 +372,8 @@ int32 HexToBytes(const FString& HexString, uint8* OutBytes) {
         OutBytes[NumBytes++] = static_cast<uint8>(FChar::HexValue(HexString[0]));
     }
     for (; Index + 1 < HexString.Len(); Index += 2) {
-        OutBytes[NumBytes++] = static_cast<uint8>(FChar::HexValue(HexString[Index]) * 16 + FChar::HexValue(HexString[Index + 1]));
+        OutBytes[NumBytes++] =
+            static_cast<uint8>(FChar::HexValue(HexString[Index]) * 16 + FChar::HexValue(HexString[Index + 1]));
     }
     return NumBytes;
 }

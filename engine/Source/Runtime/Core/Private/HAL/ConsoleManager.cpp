@@ -4,10 +4,10 @@
 #include "Misc/ScopeLock.h"
 
 const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags InSetBy) {
-    static const TCHAR* const Names[] = {
-        TEXT("Constructor"),   TEXT("Scalability"),        TEXT("GameSetting"),  TEXT("ProjectSetting"),      TEXT("SystemSettingsIni"),
-        TEXT("PluginLowPriority"), TEXT("DeviceProfile"), TEXT("PluginHighPriority"), TEXT("GameOverride"), TEXT("ConsoleVariablesIni"),
-        TEXT("Hotfix"),        TEXT("Preview"),            TEXT("Commandline"),  TEXT("Code"),                TEXT("Console")};
+    static const TCHAR* const Names[] = {TEXT("Constructor"), TEXT("Scalability"), TEXT("GameSetting"),
+        TEXT("ProjectSetting"), TEXT("SystemSettingsIni"), TEXT("PluginLowPriority"), TEXT("DeviceProfile"),
+        TEXT("PluginHighPriority"), TEXT("GameOverride"), TEXT("ConsoleVariablesIni"), TEXT("Hotfix"), TEXT("Preview"),
+        TEXT("Commandline"), TEXT("Code"), TEXT("Console")};
     const uint32 Index = (static_cast<uint32>(InSetBy) & static_cast<uint32>(ECVF_SetByMask)) >> 24;
     return Index < UE_ARRAY_COUNT(Names) ? Names[Index] : TEXT("<UNKNOWN>");
 }
@@ -65,7 +65,8 @@ template <typename T>
 class TConsoleVariable final : public TConsoleObject<IConsoleVariable> {
 public:
     TConsoleVariable(T Default, T* InRef, const TCHAR* InHelp, uint32 InFlags)
-        : TConsoleObject<IConsoleVariable>(InHelp, InFlags), Own(Default), DefaultText(ToText(Default)), Value(InRef ? InRef : &Own) {}
+        : TConsoleObject<IConsoleVariable>(InHelp, InFlags), Own(Default), DefaultText(ToText(Default)),
+          Value(InRef ? InRef : &Own) {}
 
     using IConsoleVariable::Set;
     void Set(const TCHAR* InValue, EConsoleVariableFlags SetBy) override {
@@ -73,10 +74,11 @@ public:
         const uint32 Old = Flags & static_cast<uint32>(ECVF_SetByMask);
         if (New < Old) {
             UE_LOG(LogConsoleManager, Warning,
-                   TEXT("Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than the previous "
-                        "'SetBy%s'. Value remains '%s'"),
-                   *IConsoleManager::Get().FindConsoleObjectName(this), GetConsoleVariableSetByName(SetBy),
-                   GetConsoleVariableSetByName(static_cast<EConsoleVariableFlags>(Old)), *GetString());
+                TEXT("Setting the console variable '%s' with 'SetBy%s' was ignored as it is lower priority than the "
+                     "previous "
+                     "'SetBy%s'. Value remains '%s'"),
+                *IConsoleManager::Get().FindConsoleObjectName(this), GetConsoleVariableSetByName(SetBy),
+                GetConsoleVariableSetByName(static_cast<EConsoleVariableFlags>(Old)), *GetString());
             return;
         }
         *Value = ParseAs<T>(InValue);
@@ -132,7 +134,7 @@ public:
     FConsoleCommand(const TCHAR* InHelp, uint32 InFlags, FFunction InFunction)
         : TConsoleObject<IConsoleCommand>(InHelp, InFlags), Function(MoveTemp(InFunction)) {}
     bool Execute(const TArray<FString>& Args, UWorld* InWorld, FOutputDevice& OutputDevice) override {
-        const FFunction Copy(Function);  // a command may unregister itself
+        const FFunction Copy(Function); // a command may unregister itself
         return Copy(Args, InWorld, OutputDevice);
     }
 
@@ -144,7 +146,7 @@ template <typename T>
 IConsoleObject* MakeVariable(T Default, T* Ref, const TCHAR* Help, uint32 Flags) {
     return new TConsoleVariable<T>(Default, Ref, Help, Flags);
 }
-}  // namespace
+} // namespace
 
 IConsoleManager& IConsoleManager::Get() {
     // Never destroyed: variables in static storage unregister themselves when the process ends.
@@ -161,13 +163,15 @@ IConsoleObject* FConsoleManager::AddObject(const TCHAR* Name, IConsoleObject* Ob
         IConsoleVariable* OldVariable = Existing->AsVariable();
         IConsoleVariable* NewVariable = Object->AsVariable();
         const bool bWasUnregistered = Existing->TestFlags(ECVF_Unregistered);
-        checkf(!OldVariable == !NewVariable, TEXT("Console object '%s' can't be registered a second time as another kind of object"), Name);
+        checkf(!OldVariable == !NewVariable,
+            TEXT("Console object '%s' can't be registered a second time as another kind of object"), Name);
         if (OldVariable && bWasUnregistered) {
             // The value survived its owner, with its priority.
             const uint32 SetBy = static_cast<uint32>(Existing->GetFlags()) & static_cast<uint32>(ECVF_SetByMask);
             NewVariable->Set(*OldVariable->GetString(), static_cast<EConsoleVariableFlags>(SetBy));
         } else if (OldVariable) {
-            UE_LOG(LogConsoleManager, Warning, TEXT("Console variable '%s' is registered a second time; the first one stays"), Name);
+            UE_LOG(LogConsoleManager, Warning,
+                TEXT("Console variable '%s' is registered a second time; the first one stays"), Name);
             Existing->SetHelp(Object->GetHelp());
             delete Object;
             return Existing;
@@ -181,8 +185,8 @@ IConsoleObject* FConsoleManager::AddObject(const TCHAR* Name, IConsoleObject* Ob
 }
 
 #define UE_CONSOLE_REGISTER(Type)                                                                                      \
-    IConsoleVariable* FConsoleManager::RegisterConsoleVariable(const TCHAR* Name, Type DefaultValue, const TCHAR* Help, \
-                                                               uint32 Flags) {                                         \
+    IConsoleVariable* FConsoleManager::RegisterConsoleVariable(                                                        \
+        const TCHAR* Name, Type DefaultValue, const TCHAR* Help, uint32 Flags) {                                       \
         return AddObject(Name, MakeVariable<Type>(DefaultValue, nullptr, Help, Flags))->AsVariable();                  \
     }
 UE_CONSOLE_REGISTER(bool)
@@ -190,17 +194,19 @@ UE_CONSOLE_REGISTER(int32)
 UE_CONSOLE_REGISTER(float)
 #undef UE_CONSOLE_REGISTER
 
-IConsoleVariable* FConsoleManager::RegisterConsoleVariable(const TCHAR* Name, const TCHAR* DefaultValue, const TCHAR* Help, uint32 Flags) {
+IConsoleVariable* FConsoleManager::RegisterConsoleVariable(
+    const TCHAR* Name, const TCHAR* DefaultValue, const TCHAR* Help, uint32 Flags) {
     return AddObject(Name, MakeVariable<FString>(FString(DefaultValue), nullptr, Help, Flags))->AsVariable();
 }
 
-IConsoleVariable* FConsoleManager::RegisterConsoleVariable(const TCHAR* Name, const FString& DefaultValue, const TCHAR* Help, uint32 Flags) {
+IConsoleVariable* FConsoleManager::RegisterConsoleVariable(
+    const TCHAR* Name, const FString& DefaultValue, const TCHAR* Help, uint32 Flags) {
     return RegisterConsoleVariable(Name, *DefaultValue, Help, Flags);
 }
 
 #define UE_CONSOLE_REGISTER_REF(Type)                                                                                  \
-    IConsoleVariable* FConsoleManager::RegisterConsoleVariableRef(const TCHAR* Name, Type& RefValue, const TCHAR* Help, \
-                                                                  uint32 Flags) {                                      \
+    IConsoleVariable* FConsoleManager::RegisterConsoleVariableRef(                                                     \
+        const TCHAR* Name, Type& RefValue, const TCHAR* Help, uint32 Flags) {                                          \
         return AddObject(Name, MakeVariable<Type>(RefValue, &RefValue, Help, Flags))->AsVariable();                    \
     }
 UE_CONSOLE_REGISTER_REF(bool)
@@ -210,15 +216,15 @@ UE_CONSOLE_REGISTER_REF(FString)
 #undef UE_CONSOLE_REGISTER_REF
 
 #define UE_CONSOLE_COMMAND(DelegateType, ...)                                                                          \
-    IConsoleCommand* FConsoleManager::RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,                     \
-                                                             const DelegateType& Command, uint32 Flags) {              \
+    IConsoleCommand* FConsoleManager::RegisterConsoleCommand(                                                          \
+        const TCHAR* Name, const TCHAR* Help, const DelegateType& Command, uint32 Flags) {                             \
         return AddObject(Name, new FConsoleCommand(Help, Flags,                                                        \
-                                                   [Command](const TArray<FString>& Args, UWorld* World, FOutputDevice& Ar) { \
-                                                       (void)Args;                                                     \
-                                                       (void)World;                                                    \
-                                                       (void)Ar;                                                       \
-                                                       return Command.ExecuteIfBound(__VA_ARGS__);                     \
-                                                   }))                                                                 \
+                                   [Command](const TArray<FString>& Args, UWorld* World, FOutputDevice& Ar) {          \
+                                       (void)Args;                                                                     \
+                                       (void)World;                                                                    \
+                                       (void)Ar;                                                                       \
+                                       return Command.ExecuteIfBound(__VA_ARGS__);                                     \
+                                   }))                                                                                 \
             ->AsCommand();                                                                                             \
     }
 UE_CONSOLE_COMMAND(FConsoleCommandDelegate)
@@ -242,7 +248,7 @@ void FConsoleManager::UnregisterConsoleObject(IConsoleObject* Object, bool bKeep
     IConsoleVariable* Variable = Object->AsVariable();
     if (bKeepState && Variable) {
         IConsoleVariable* Kept = MakeVariable<FString>(Variable->GetString(), nullptr, Variable->GetHelp(),
-                                                       static_cast<uint32>(Variable->GetFlags()) | ECVF_Unregistered)
+            static_cast<uint32>(Variable->GetFlags()) | ECVF_Unregistered)
                                      ->AsVariable();
         Objects.Add(Name, Kept);
     } else {
@@ -292,11 +298,13 @@ void FConsoleManager::Visit(const FConsoleObjectVisitor& Visitor, TFunctionRef<b
     }
 }
 
-void FConsoleManager::ForEachConsoleObjectThatStartsWith(const FConsoleObjectVisitor& Visitor, const TCHAR* ThatStartsWith) const {
+void FConsoleManager::ForEachConsoleObjectThatStartsWith(
+    const FConsoleObjectVisitor& Visitor, const TCHAR* ThatStartsWith) const {
     Visit(Visitor, [&](const FString& Name) { return Name.StartsWith(ThatStartsWith); });
 }
 
-void FConsoleManager::ForEachConsoleObjectThatContains(const FConsoleObjectVisitor& Visitor, const TCHAR* ThatContains) const {
+void FConsoleManager::ForEachConsoleObjectThatContains(
+    const FConsoleObjectVisitor& Visitor, const TCHAR* ThatContains) const {
     Visit(Visitor, [&](const FString& Name) { return Name.Contains(ThatContains); });
 }
 
@@ -320,7 +328,8 @@ bool FConsoleManager::ProcessUserConsoleInput(const TCHAR* InInput, FOutputDevic
     if (bWantsHelp) {
         Ar.Logf(TEXT("HELP for '%s': %s"), *Name, Object->GetHelp());
         if (IConsoleVariable* Variable = Object->AsVariable()) {
-            Ar.Logf(TEXT("%s = \"%s\"      LastSetBy: %s"), *Name, *Variable->GetString(), GetConsoleVariableSetByName(Variable->GetFlags()));
+            Ar.Logf(TEXT("%s = \"%s\"      LastSetBy: %s"), *Name, *Variable->GetString(),
+                GetConsoleVariableSetByName(Variable->GetFlags()));
         }
         return true;
     }
@@ -334,7 +343,8 @@ bool FConsoleManager::ProcessUserConsoleInput(const TCHAR* InInput, FOutputDevic
     }
     IConsoleVariable* Variable = Object->AsVariable();
     if (Rest.IsEmpty()) {
-        Ar.Logf(TEXT("%s = \"%s\"      LastSetBy: %s"), *Name, *Variable->GetString(), GetConsoleVariableSetByName(Variable->GetFlags()));
+        Ar.Logf(TEXT("%s = \"%s\"      LastSetBy: %s"), *Name, *Variable->GetString(),
+            GetConsoleVariableSetByName(Variable->GetFlags()));
     } else if (Variable->TestFlags(ECVF_ReadOnly)) {
         Ar.Logf(TEXT("Error: %s is read only!"), *Name);
     } else {

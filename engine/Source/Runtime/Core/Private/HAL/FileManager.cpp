@@ -73,7 +73,8 @@ public:
         std::error_code Error;
         const bool bWholeDirectory = Files::is_directory(Path, Error);
         const FString Pattern = bWholeDirectory ? FString() : FromPath(Path.filename());
-        for (Files::directory_iterator At(bWholeDirectory ? Path : Path.parent_path(), Error), End; !Error && At != End; At.increment(Error)) {
+        for (Files::directory_iterator At(bWholeDirectory ? Path : Path.parent_path(), Error), End; !Error && At != End;
+            At.increment(Error)) {
             const FString Name = FromPath(At->path().filename());
             std::error_code Ignored;
             if ((At->is_directory(Ignored) ? bDirectories : bFiles) && FitsPattern(Name, Pattern)) {
@@ -82,17 +83,20 @@ public:
         }
         FileNames.Sort();
     }
-    virtual void FindFilesRecursive(
-        TArray<FString>& FileNames, const TCHAR* StartDirectory, const TCHAR* Filename, bool bFiles, bool bDirectories, bool bClearFileNames) override {
+    virtual void FindFilesRecursive(TArray<FString>& FileNames, const TCHAR* StartDirectory, const TCHAR* Filename,
+        bool bFiles, bool bDirectories, bool bClearFileNames) override {
         if (bClearFileNames) {
             FileNames.Empty();
         }
         std::error_code Error;
         const FString Pattern(Filename);
-        for (Files::recursive_directory_iterator At(ToPath(StartDirectory), Files::directory_options::skip_permission_denied, Error), End; !Error && At != End;
-             At.increment(Error)) {
+        for (Files::recursive_directory_iterator
+                 At(ToPath(StartDirectory), Files::directory_options::skip_permission_denied, Error),
+            End;
+            !Error && At != End; At.increment(Error)) {
             std::error_code Ignored;
-            if ((At->is_directory(Ignored) ? bDirectories : bFiles) && FitsPattern(FromPath(At->path().filename()), Pattern)) {
+            if ((At->is_directory(Ignored) ? bDirectories : bFiles) &&
+                FitsPattern(FromPath(At->path().filename()), Pattern)) {
                 FileNames.Add(FromPath(At->path()));
             }
         }
@@ -115,7 +119,7 @@ struct FClose {
 };
 using FFile = std::unique_ptr<std::FILE, FClose>;
 
-}  // namespace
+} // namespace
 
 IFileManager& IFileManager::Get() {
     static FFileManagerPosix Manager;
@@ -141,7 +145,8 @@ void FFileHelper::BufferToString(FString& Result, const uint8* Buffer, int32 Siz
     const bool bBig = Size >= 2 && Buffer[0] == 0xFE && Buffer[1] == 0xFF;
     if (bLittle || bBig) {
         for (int32 Index = 2; Index + 1 < Size; Index += 2) {
-            Result.AppendChar(static_cast<TCHAR>(bLittle ? Buffer[Index] | (Buffer[Index + 1] << 8) : Buffer[Index + 1] | (Buffer[Index] << 8)));
+            Result.AppendChar(static_cast<TCHAR>(
+                bLittle ? Buffer[Index] | (Buffer[Index + 1] << 8) : Buffer[Index + 1] | (Buffer[Index] << 8)));
         }
         return;
     }
@@ -169,7 +174,8 @@ bool FFileHelper::LoadFileToStringArray(TArray<FString>& Result, const TCHAR* Fi
     return true;
 }
 
-bool FFileHelper::SaveArrayToFile(TArrayView<const uint8> Array, const TCHAR* Filename, IFileManager*, uint32 WriteFlags) {
+bool FFileHelper::SaveArrayToFile(
+    TArrayView<const uint8> Array, const TCHAR* Filename, IFileManager*, uint32 WriteFlags) {
     if ((WriteFlags & FILEWRITE_NoReplaceExisting) && IFileManager::Get().FileExists(Filename)) {
         return false;
     }
@@ -182,14 +188,16 @@ bool FFileHelper::SaveArrayToFile(TArrayView<const uint8> Array, const TCHAR* Fi
     return std::fclose(File.release()) == 0 && bWritten; // a full disk may show only here
 }
 
-bool FFileHelper::SaveStringToFile(FStringView String, const TCHAR* Filename, EEncodingOptions EncodingOptions, IFileManager* FileManager, uint32 WriteFlags) {
+bool FFileHelper::SaveStringToFile(FStringView String, const TCHAR* Filename, EEncodingOptions EncodingOptions,
+    IFileManager* FileManager, uint32 WriteFlags) {
     const FString Text(String);
     TArray<uint8> Bytes;
     bool bPlain = true;
     for (int32 Index = 0; Index < Text.Len(); ++Index) {
         bPlain &= Text[Index] < 128;
     }
-    if (EncodingOptions == EEncodingOptions::ForceUnicode || (EncodingOptions == EEncodingOptions::AutoDetect && !bPlain)) {
+    if (EncodingOptions == EEncodingOptions::ForceUnicode ||
+        (EncodingOptions == EEncodingOptions::AutoDetect && !bPlain)) {
         Bytes.Add(0xFF);
         Bytes.Add(0xFE);
         for (int32 Index = 0; Index < Text.Len(); ++Index) {
@@ -206,8 +214,8 @@ bool FFileHelper::SaveStringToFile(FStringView String, const TCHAR* Filename, EE
     return SaveArrayToFile(Bytes, Filename, FileManager, WriteFlags);
 }
 
-bool FFileHelper::SaveStringArrayToFile(
-    const TArray<FString>& Lines, const TCHAR* Filename, EEncodingOptions EncodingOptions, IFileManager* FileManager, uint32 WriteFlags) {
+bool FFileHelper::SaveStringArrayToFile(const TArray<FString>& Lines, const TCHAR* Filename,
+    EEncodingOptions EncodingOptions, IFileManager* FileManager, uint32 WriteFlags) {
     FString Text;
     for (const FString& Line : Lines) {
         Text += Line + TEXT("\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers: two generators of 32 bits (PCG), one for Rand/FRand, one for SRand. Seeds make them repeatable. Game thread only.
+// Random numbers: two generators of 32 bits (PCG), one for Rand/FRand, one for SRand. Seeds make them repeatable. Game
+// thread only.
 #include "HAL/PlatformMath.h"
 
 namespace {
@@ -27,7 +28,7 @@ FPcg RandGenerator;
 FPcg SRandGenerator;
 int32 SRandSeed = 0;
 
-}  // namespace
+} // namespace
 
 int32 FGenericPlatformMath::Rand() { return static_cast<int32>(RandGenerator.Next() >> 1); }
 int32 FGenericPlatformMath::Rand32() { return static_cast<int32>(RandGenerator.Next()); }

@@ -39,7 +39,9 @@ void FGenericPlatformMisc::SetEnvironmentVar(const TCHAR* VariableName, const TC
         ::unsetenv(TCHAR_TO_UTF8(VariableName));
     }
 }
-int32 FGenericPlatformMisc::NumberOfCoresIncludingHyperthreads() { return FMath::Max(1, static_cast<int32>(std::thread::hardware_concurrency())); }
+int32 FGenericPlatformMisc::NumberOfCoresIncludingHyperthreads() {
+    return FMath::Max(1, static_cast<int32>(std::thread::hardware_concurrency()));
+}
 int32 FGenericPlatformMisc::NumberOfCores() { return NumberOfCoresIncludingHyperthreads(); }
 void FGenericPlatformMisc::CreateGuid(FGuid& Result) { Result = FGuid::NewGuid(); }
 void FGenericPlatformMisc::LowLevelOutputDebugString(const TCHAR* Message) { LocalPrint(Message); }
@@ -52,8 +54,7 @@ bool FGenericPlatformMisc::IsDebuggerPresent() {
     }
     char Line[256];
     int Tracer = 0;
-    while (std::fgets(Line, sizeof(Line), Status) && std::sscanf(Line, "TracerPid: %d", &Tracer) != 1) {
-    }
+    while (std::fgets(Line, sizeof(Line), Status) && std::sscanf(Line, "TracerPid: %d", &Tracer) != 1) {}
     std::fclose(Status);
     return Tracer != 0;
 }

@@ -78,9 +78,13 @@ FString FGenericPlatformProcess::GetCurrentWorkingDirectory() {
     return FString(UTF8_TO_TCHAR(std::filesystem::current_path(Error).c_str()));
 }
 
-void* FGenericPlatformProcess::GetDllHandle(const TCHAR* Filename) { return ::dlopen(TCHAR_TO_UTF8(Filename), RTLD_NOW | RTLD_GLOBAL); }
+void* FGenericPlatformProcess::GetDllHandle(const TCHAR* Filename) {
+    return ::dlopen(TCHAR_TO_UTF8(Filename), RTLD_NOW | RTLD_GLOBAL);
+}
 void FGenericPlatformProcess::FreeDllHandle(void* DllHandle) { ::dlclose(DllHandle); }
-void* FGenericPlatformProcess::GetDllExport(void* DllHandle, const TCHAR* ProcName) { return ::dlsym(DllHandle, TCHAR_TO_UTF8(ProcName)); }
+void* FGenericPlatformProcess::GetDllExport(void* DllHandle, const TCHAR* ProcName) {
+    return ::dlsym(DllHandle, TCHAR_TO_UTF8(ProcName));
+}
 FString FGenericPlatformProcess::GetDllError() {
     const char* Error = ::dlerror();
     return Error ? FString(UTF8_TO_TCHAR(Error)) : FString();

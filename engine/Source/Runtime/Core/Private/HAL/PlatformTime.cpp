@@ -7,7 +7,8 @@
 #include "Misc/DateTime.h"
 
 namespace {
-void Split(const FDateTime& Time, int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec) {
+void Split(const FDateTime& Time, int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min,
+    int32& Sec, int32& MSec) {
     Time.GetDate(Year, Month, Day);
     DayOfWeek = (static_cast<int32>(Time.GetDayOfWeek()) + 1) % 7; // Sunday is 0
     Hour = Time.GetHour();
@@ -15,7 +16,7 @@ void Split(const FDateTime& Time, int32& Year, int32& Month, int32& DayOfWeek, i
     Sec = Time.GetSecond();
     MSec = Time.GetMillisecond();
 }
-}  // namespace
+} // namespace
 
 uint64 FGenericPlatformTime::Cycles64() {
     timespec Time{};
@@ -24,9 +25,11 @@ uint64 FGenericPlatformTime::Cycles64() {
 }
 uint32 FGenericPlatformTime::Cycles() { return static_cast<uint32>(Cycles64()); }
 double FGenericPlatformTime::Seconds() { return static_cast<double>(Cycles64()) * 1e-9; }
-void FGenericPlatformTime::SystemTime(int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec) {
+void FGenericPlatformTime::SystemTime(
+    int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec) {
     Split(FDateTime::Now(), Year, Month, DayOfWeek, Day, Hour, Min, Sec, MSec);
 }
-void FGenericPlatformTime::UtcTime(int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec) {
+void FGenericPlatformTime::UtcTime(
+    int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec) {
     Split(FDateTime::UtcNow(), Year, Month, DayOfWeek, Day, Hour, Min, Sec, MSec);
 }

@@ -117,11 +117,13 @@ private:
     bool bInitOk = false;
     uint32 ThreadId = 0;
 };
-}  // namespace
+} // namespace
 
-FRunnableThread* FRunnableThread::Create(FRunnable* InRunnable, const TCHAR* ThreadName, uint32, EThreadPriority, uint64) {
+FRunnableThread* FRunnableThread::Create(
+    FRunnable* InRunnable, const TCHAR* ThreadName, uint32, EThreadPriority, uint64) {
     check(InRunnable);
-    FStandardRunnableThread* Thread = new FStandardRunnableThread(InRunnable, ThreadName ? ThreadName : TEXT("Unnamed"));
+    FStandardRunnableThread* Thread =
+        new FStandardRunnableThread(InRunnable, ThreadName ? ThreadName : TEXT("Unnamed"));
     if (!Thread->Start()) {
         delete Thread;
         return nullptr;

@@ -16,7 +16,7 @@ namespace {
 
 bool IsOverAligned(uint32 Alignment) { return Alignment > alignof(std::max_align_t); }
 
-}  // namespace
+} // namespace
 
 void* FMemory::Malloc(SIZE_T Count, uint32 Alignment) {
     const SIZE_T Size = Count ? Count : 1;

@@ -47,7 +47,7 @@ FString Decorate(FString Digits, const FNumberFormattingOptions& Options) {
     }
     return Result;
 }
-}  // namespace
+} // namespace
 
 FText FText::AsNumberImpl(double Value, const FNumberFormattingOptions* Options) {
     const FNumberFormattingOptions Used = Options ? *Options : FNumberFormattingOptions();

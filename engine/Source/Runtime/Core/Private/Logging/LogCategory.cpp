@@ -18,8 +18,8 @@ struct FLogCategories {
     }
 };
 
-const TCHAR* const VerbosityNames[] = {TEXT("NoLogging"), TEXT("Fatal"), TEXT("Error"),   TEXT("Warning"),
-                                       TEXT("Display"),   TEXT("Log"),   TEXT("Verbose"), TEXT("VeryVerbose")};
+const TCHAR* const VerbosityNames[] = {TEXT("NoLogging"), TEXT("Fatal"), TEXT("Error"), TEXT("Warning"),
+    TEXT("Display"), TEXT("Log"), TEXT("Verbose"), TEXT("VeryVerbose")};
 
 bool FindVerbosity(FStringView Word, ELogVerbosity::Type& Out) {
     for (uint8 Index = 0; Index < ELogVerbosity::NumVerbosity; ++Index) {
@@ -38,7 +38,7 @@ bool FindVerbosity(FStringView Word, ELogVerbosity::Type& Out) {
     }
     return false;
 }
-}  // namespace
+} // namespace
 
 const TCHAR* ToString(ELogVerbosity::Type Verbosity) {
     const int32 Index = Verbosity & ELogVerbosity::VerbosityMask;
@@ -52,7 +52,7 @@ ELogVerbosity::Type ParseLogVerbosityFromString(const FString& VerbosityString) 
 }
 
 FLogCategoryBase::FLogCategoryBase(const FLogCategoryName& InCategoryName, ELogVerbosity::Type InDefaultVerbosity,
-                                   ELogVerbosity::Type InCompileTimeVerbosity)
+    ELogVerbosity::Type InCompileTimeVerbosity)
     : Verbosity(InDefaultVerbosity), CompileTimeVerbosity(InCompileTimeVerbosity), CategoryName(InCategoryName) {
     FLogCategories& Categories = FLogCategories::Get();
     FScopeLock Lock(&Categories.Lock);
@@ -102,8 +102,8 @@ bool ApplyLogCommands(const FString& Commands) {
     return bUnderstood;
 }
 
-void FMsg::LogfImpl(const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity,
-                    const TCHAR* Fmt, ...) {
+void FMsg::LogfImpl(
+    const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity, const TCHAR* Fmt, ...) {
     va_list Args;
     va_start(Args, Fmt);
     const FString Message = FString::PrintfVa(Fmt, Args);

@@ -7,8 +7,8 @@
 #include "Misc/OutputDeviceRedirector.h"
 #include "Misc/ScopeLock.h"
 
-FString FOutputDeviceHelper::FormatLogLine(ELogVerbosity::Type Verbosity, const FName& Category, const TCHAR* Message,
-                                           bool bWithPrefix) {
+FString FOutputDeviceHelper::FormatLogLine(
+    ELogVerbosity::Type Verbosity, const FName& Category, const TCHAR* Message, bool bWithPrefix) {
     FString Line;
     if (bWithPrefix) {
         const FDateTime Now = FDateTime::UtcNow();
@@ -36,9 +36,7 @@ FOutputDeviceRedirector::FOutputDeviceRedirector() : Impl(new FImpl()) {
     Impl->Devices.Add(&FOutputDeviceStdErr::Get());
 }
 
-FOutputDeviceRedirector::~FOutputDeviceRedirector() {
-    delete Impl;
-}
+FOutputDeviceRedirector::~FOutputDeviceRedirector() { delete Impl; }
 
 FOutputDeviceRedirector* FOutputDeviceRedirector::Get() {
     // Never destroyed: static destructors log too.
@@ -67,8 +65,8 @@ void FOutputDeviceRedirector::Serialize(const TCHAR* Data, ELogVerbosity::Type V
     Serialize(Data, Verbosity, Category, -1.0);
 }
 
-void FOutputDeviceRedirector::Serialize(const TCHAR* Data, ELogVerbosity::Type Verbosity, const FName& Category,
-                                        const double Time) {
+void FOutputDeviceRedirector::Serialize(
+    const TCHAR* Data, ELogVerbosity::Type Verbosity, const FName& Category, const double Time) {
     FScopeLock Lock(&Impl->Lock);
     const TArray<FOutputDevice*> Devices(Impl->Devices);
     for (FOutputDevice* Device : Devices) {
@@ -109,9 +107,7 @@ void FOutputDeviceStdErr::Serialize(const TCHAR* V, ELogVerbosity::Type Verbosit
 FOutputDeviceFile::FOutputDeviceFile(const TCHAR* InFilename)
     : Filename(InFilename), Handle(std::fopen(TCHAR_TO_UTF8(InFilename), "w")) {}
 
-FOutputDeviceFile::~FOutputDeviceFile() {
-    TearDown();
-}
+FOutputDeviceFile::~FOutputDeviceFile() { TearDown(); }
 
 void FOutputDeviceFile::Serialize(const TCHAR* V, ELogVerbosity::Type Verbosity, const FName& Category) {
     if (Handle) {

@@ -29,7 +29,7 @@ float DecodeByte(uint8 Encoded) {
     return Table.Values[Encoded];
 }
 
-}  // namespace
+} // namespace
 
 const FLinearColor FLinearColor::White(1.0f, 1.0f, 1.0f);
 const FLinearColor FLinearColor::Gray(0.5f, 0.5f, 0.5f);
@@ -63,8 +63,8 @@ FLinearColor FLinearColor::FromPow22Color(const FColor& Color) {
     return FLinearColor(Decode(Color.R), Decode(Color.G), Decode(Color.B), static_cast<float>(Color.A) / 255.0f);
 }
 FLinearColor FLinearColor::FromReinterpretedFColor(const FColor& Color) {
-    return FLinearColor(static_cast<float>(Color.R) / 255.0f, static_cast<float>(Color.G) / 255.0f, static_cast<float>(Color.B) / 255.0f,
-        static_cast<float>(Color.A) / 255.0f);
+    return FLinearColor(static_cast<float>(Color.R) / 255.0f, static_cast<float>(Color.G) / 255.0f,
+        static_cast<float>(Color.B) / 255.0f, static_cast<float>(Color.A) / 255.0f);
 }
 FColor FLinearColor::ToFColor(const bool bSRGB) const {
     const auto Encode = [bSRGB](float Value) {
@@ -74,7 +74,8 @@ FColor FLinearColor::ToFColor(const bool bSRGB) const {
     return FColor(Encode(R), Encode(G), Encode(B), ToByte(static_cast<double>(A)));
 }
 FColor FLinearColor::QuantizeRound() const {
-    return FColor(ToByte(static_cast<double>(R)), ToByte(static_cast<double>(G)), ToByte(static_cast<double>(B)), ToByte(static_cast<double>(A)));
+    return FColor(ToByte(static_cast<double>(R)), ToByte(static_cast<double>(G)), ToByte(static_cast<double>(B)),
+        ToByte(static_cast<double>(A)));
 }
 
 FLinearColor FLinearColor::HSVToLinearRGB() const {
@@ -83,12 +84,18 @@ FLinearColor FLinearColor::HSVToLinearRGB() const {
     const float Share = Sector - FMath::FloorToFloat(Sector);
     const float V = B, P = B * (1.0f - G), Q = B * (1.0f - Share * G), T = B * (1.0f - (1.0f - Share) * G);
     switch (FMath::FloorToInt32(Sector)) {
-    case 0: return FLinearColor(V, T, P, A);
-    case 1: return FLinearColor(Q, V, P, A);
-    case 2: return FLinearColor(P, V, T, A);
-    case 3: return FLinearColor(P, Q, V, A);
-    case 4: return FLinearColor(T, P, V, A);
-    default: return FLinearColor(V, P, Q, A);
+    case 0:
+        return FLinearColor(V, T, P, A);
+    case 1:
+        return FLinearColor(Q, V, P, A);
+    case 2:
+        return FLinearColor(P, V, T, A);
+    case 3:
+        return FLinearColor(P, Q, V, A);
+    case 4:
+        return FLinearColor(T, P, V, A);
+    default:
+        return FLinearColor(V, P, Q, A);
     }
 }
 
@@ -108,7 +115,9 @@ FLinearColor FLinearColor::LinearRGBToHSV() const {
 }
 
 FLinearColor FLinearColor::MakeFromHSV8(uint8 H, uint8 S, uint8 V) {
-    return FLinearColor(static_cast<float>(H) * (360.0f / 255.0f), static_cast<float>(S) / 255.0f, static_cast<float>(V) / 255.0f).HSVToLinearRGB();
+    return FLinearColor(
+        static_cast<float>(H) * (360.0f / 255.0f), static_cast<float>(S) / 255.0f, static_cast<float>(V) / 255.0f)
+        .HSVToLinearRGB();
 }
 
 FLinearColor FLinearColor::LerpUsingHSV(const FLinearColor& From, const FLinearColor& To, const float Progress) {
@@ -117,7 +126,8 @@ FLinearColor FLinearColor::LerpUsingHSV(const FLinearColor& From, const FLinearC
     float HueWay = ToHSV.R - FromHSV.R;
     HueWay += HueWay > 180.0f ? -360.0f : HueWay < -180.0f ? 360.0f : 0.0f;
     const float Hue = FMath::Fmod(FromHSV.R + HueWay * Progress + 360.0f, 360.0f);
-    return FLinearColor(Hue, FMath::Lerp(FromHSV.G, ToHSV.G, Progress), FMath::Lerp(FromHSV.B, ToHSV.B, Progress), FMath::Lerp(From.A, To.A, Progress))
+    return FLinearColor(Hue, FMath::Lerp(FromHSV.G, ToHSV.G, Progress), FMath::Lerp(FromHSV.B, ToHSV.B, Progress),
+        FMath::Lerp(From.A, To.A, Progress))
         .HSVToLinearRGB();
 }
 
@@ -128,17 +138,21 @@ FLinearColor FLinearColor::MakeRandomColor() {
 FLinearColor FLinearColor::MakeFromColorTemperature(float Temp) {
     // The Planckian locus in CIE 1960 (Krystek's approximation), then to linear sRGB.
     const double T = FMath::Clamp(static_cast<double>(Temp), 1000.0, 15000.0);
-    const double U = (0.860117757 + 1.54118254e-4 * T + 1.28641212e-7 * T * T) / (1.0 + 8.42420235e-4 * T + 7.08145163e-7 * T * T);
-    const double V = (0.317398726 + 4.22806245e-5 * T + 4.20481691e-8 * T * T) / (1.0 - 2.89741816e-5 * T + 1.61456053e-7 * T * T);
+    const double U =
+        (0.860117757 + 1.54118254e-4 * T + 1.28641212e-7 * T * T) / (1.0 + 8.42420235e-4 * T + 7.08145163e-7 * T * T);
+    const double V =
+        (0.317398726 + 4.22806245e-5 * T + 4.20481691e-8 * T * T) / (1.0 - 2.89741816e-5 * T + 1.61456053e-7 * T * T);
     const double X = 3.0 * U / (2.0 * U - 8.0 * V + 4.0), Y = 2.0 * V / (2.0 * U - 8.0 * V + 4.0), Z = 1.0 - X - Y;
     const double XX = X / Y, ZZ = Z / Y;
-    return FLinearColor(static_cast<float>(3.2404542 * XX - 1.5371385 - 0.4985314 * ZZ), static_cast<float>(-0.9692660 * XX + 1.8760108 + 0.0415560 * ZZ),
+    return FLinearColor(static_cast<float>(3.2404542 * XX - 1.5371385 - 0.4985314 * ZZ),
+        static_cast<float>(-0.9692660 * XX + 1.8760108 + 0.0415560 * ZZ),
         static_cast<float>(0.0556434 * XX - 0.2040259 + 1.0572252 * ZZ));
 }
 
 FLinearColor FLinearColor::Desaturate(float Desaturation) const {
     const float Luminance = GetLuminance();
-    return FLinearColor(FMath::Lerp(R, Luminance, Desaturation), FMath::Lerp(G, Luminance, Desaturation), FMath::Lerp(B, Luminance, Desaturation), A);
+    return FLinearColor(FMath::Lerp(R, Luminance, Desaturation), FMath::Lerp(G, Luminance, Desaturation),
+        FMath::Lerp(B, Luminance, Desaturation), A);
 }
 
 bool FLinearColor::InitFromString(const FString& InSourceString) {
@@ -171,10 +185,13 @@ FColor FColor::FromHex(const FString& HexString) {
         const auto Twice = [](uint32 Digit) { return static_cast<uint8>((Digit & 15u) * 17u); };
         return FColor(Twice(Number >> 8), Twice(Number >> 4), Twice(Number));
     }
-    case 6: return FColor(static_cast<uint8>(Number >> 16), static_cast<uint8>(Number >> 8), static_cast<uint8>(Number));
+    case 6:
+        return FColor(static_cast<uint8>(Number >> 16), static_cast<uint8>(Number >> 8), static_cast<uint8>(Number));
     case 8:
-        return FColor(static_cast<uint8>(Number >> 24), static_cast<uint8>(Number >> 16), static_cast<uint8>(Number >> 8), static_cast<uint8>(Number));
-    default: return FColor(0, 0, 0, 0);
+        return FColor(static_cast<uint8>(Number >> 24), static_cast<uint8>(Number >> 16),
+            static_cast<uint8>(Number >> 8), static_cast<uint8>(Number));
+    default:
+        return FColor(0, 0, 0, 0);
     }
 }
 

@@ -19,7 +19,8 @@ FVector FMath::VRandCone(const FVector& Dir, float ConeHalfAngleRad) {
         return Direction;
     }
     // Uniform on the cap: the height is uniform (Archimedes).
-    const double Height = 1.0 - FRand() * (1.0 - Cos(static_cast<double>(Min(ConeHalfAngleRad, static_cast<float>(UE_PI)))));
+    const double Height =
+        1.0 - FRand() * (1.0 - Cos(static_cast<double>(Min(ConeHalfAngleRad, static_cast<float>(UE_PI)))));
     const double Radius = Sqrt(Max(0.0, 1.0 - Height * Height));
     const double Angle = FRand() * 2.0 * UE_DOUBLE_PI;
     FVector AxisX, AxisY;
@@ -34,7 +35,8 @@ FVector2D FMath::RandPointInCircle(float CircleRadius) {
 }
 
 FVector FMath::RandPointInBox(const FBox& Box) {
-    return FVector(FRandRange(Box.Min.X, Box.Max.X), FRandRange(Box.Min.Y, Box.Max.Y), FRandRange(Box.Min.Z, Box.Max.Z));
+    return FVector(
+        FRandRange(Box.Min.X, Box.Max.X), FRandRange(Box.Min.Y, Box.Max.Y), FRandRange(Box.Min.Z, Box.Max.Z));
 }
 
 double FMath::ClampAngle(double AngleDegrees, double MinAngleDegrees, double MaxAngleDegrees) {
@@ -51,15 +53,14 @@ double FMath::ClampAngle(double AngleDegrees, double MinAngleDegrees, double Max
     return FRotator::NormalizeAxis(AngleDegrees);
 }
 float FMath::ClampAngle(float AngleDegrees, float MinAngleDegrees, float MaxAngleDegrees) {
-    return static_cast<float>(ClampAngle(static_cast<double>(AngleDegrees), static_cast<double>(MinAngleDegrees), static_cast<double>(MaxAngleDegrees)));
+    return static_cast<float>(ClampAngle(
+        static_cast<double>(AngleDegrees), static_cast<double>(MinAngleDegrees), static_cast<double>(MaxAngleDegrees)));
 }
 
 double FMath::GetRangePct(const FVector2D& Range, double Value) {
     return Range.X != Range.Y ? (Value - Range.X) / (Range.Y - Range.X) : (Value >= Range.Y ? 1.0 : 0.0);
 }
-double FMath::GetRangeValue(const FVector2D& Range, double Pct) {
-    return Range.X + (Range.Y - Range.X) * Pct;
-}
+double FMath::GetRangeValue(const FVector2D& Range, double Pct) { return Range.X + (Range.Y - Range.X) * Pct; }
 double FMath::GetMappedRangeValueClamped(const FVector2D& InputRange, const FVector2D& OutputRange, double Value) {
     return GetRangeValue(OutputRange, Clamp(GetRangePct(InputRange, Value), 0.0, 1.0));
 }
@@ -67,7 +68,8 @@ double FMath::GetMappedRangeValueUnclamped(const FVector2D& InputRange, const FV
     return GetRangeValue(OutputRange, GetRangePct(InputRange, Value));
 }
 
-// Interpolation -----------------------------------------------------------------------------------------------------------------
+// Interpolation
+// -----------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -78,12 +80,14 @@ VectorType InterpVector(const VectorType& Current, const VectorType& Target, flo
     if (InterpSpeed <= 0.0f || Way.SizeSquared() < UE_KINDA_SMALL_NUMBER) {
         return Target;
     }
-    return Current + Way * FMath::Clamp<double>(static_cast<double>(DeltaTime) * static_cast<double>(InterpSpeed), 0.0, 1.0);
+    return Current +
+           Way * FMath::Clamp<double>(static_cast<double>(DeltaTime) * static_cast<double>(InterpSpeed), 0.0, 1.0);
 }
 
 /** A step of InterpSpeed per second. */
 template <typename VectorType>
-VectorType InterpVectorConstant(const VectorType& Current, const VectorType& Target, float DeltaTime, float InterpSpeed) {
+VectorType InterpVectorConstant(
+    const VectorType& Current, const VectorType& Target, float DeltaTime, float InterpSpeed) {
     const VectorType Way = Target - Current;
     const double Distance = Way.Size();
     const double Step = static_cast<double>(InterpSpeed) * static_cast<double>(DeltaTime);
@@ -93,7 +97,7 @@ VectorType InterpVectorConstant(const VectorType& Current, const VectorType& Tar
     return Step > 0.0 ? Current + Way * (Step / Distance) : Current;
 }
 
-}  // namespace
+} // namespace
 
 FVector FMath::VInterpTo(const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed) {
     return InterpVector(Current, Target, DeltaTime, InterpSpeed);
@@ -101,14 +105,17 @@ FVector FMath::VInterpTo(const FVector& Current, const FVector& Target, float De
 FVector FMath::VInterpConstantTo(const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed) {
     return InterpVectorConstant(Current, Target, DeltaTime, InterpSpeed);
 }
-FVector2D FMath::Vector2DInterpTo(const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed) {
+FVector2D FMath::Vector2DInterpTo(
+    const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed) {
     return InterpVector(Current, Target, DeltaTime, InterpSpeed);
 }
-FVector2D FMath::Vector2DInterpConstantTo(const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed) {
+FVector2D FMath::Vector2DInterpConstantTo(
+    const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed) {
     return InterpVectorConstant(Current, Target, DeltaTime, InterpSpeed);
 }
 
-FVector FMath::VInterpNormalRotationTo(const FVector& Current, const FVector& Target, float DeltaTime, float RotationSpeedDegrees) {
+FVector FMath::VInterpNormalRotationTo(
+    const FVector& Current, const FVector& Target, float DeltaTime, float RotationSpeedDegrees) {
     const FQuat Difference = FQuat::FindBetween(Current, Target);
     FVector Axis;
     double Angle = 0.0;
@@ -149,7 +156,8 @@ FQuat FMath::QInterpTo(const FQuat& Current, const FQuat& Target, float DeltaTim
     if (InterpSpeed <= 0.0f || Current.Equals(Target)) {
         return Target;
     }
-    return FQuat::Slerp(Current, Target, Clamp(static_cast<double>(InterpSpeed) * static_cast<double>(DeltaTime), 0.0, 1.0));
+    return FQuat::Slerp(
+        Current, Target, Clamp(static_cast<double>(InterpSpeed) * static_cast<double>(DeltaTime), 0.0, 1.0));
 }
 
 FQuat FMath::QInterpConstantTo(const FQuat& Current, const FQuat& Target, float DeltaTime, float InterpSpeed) {
@@ -161,16 +169,19 @@ FQuat FMath::QInterpConstantTo(const FQuat& Current, const FQuat& Target, float 
     return FQuat::Slerp(Current, Target, Clamp(Step / Distance, 0.0, 1.0));
 }
 
-FLinearColor FMath::CInterpTo(const FLinearColor& Current, const FLinearColor& Target, float DeltaTime, float InterpSpeed) {
+FLinearColor FMath::CInterpTo(
+    const FLinearColor& Current, const FLinearColor& Target, float DeltaTime, float InterpSpeed) {
     if (InterpSpeed <= 0.0f || FLinearColor::Dist(Target, Current) < UE_KINDA_SMALL_NUMBER) {
         return Target;
     }
     return Current + (Target - Current) * Clamp<float>(DeltaTime * InterpSpeed, 0.0f, 1.0f);
 }
 
-// Geometry ----------------------------------------------------------------------------------------------------------------------
+// Geometry
+// ----------------------------------------------------------------------------------------------------------------------
 
-FVector FMath::LinePlaneIntersection(const FVector& Point1, const FVector& Point2, const FVector& PlaneOrigin, const FVector& PlaneNormal) {
+FVector FMath::LinePlaneIntersection(
+    const FVector& Point1, const FVector& Point2, const FVector& PlaneOrigin, const FVector& PlaneNormal) {
     const FVector Way = Point2 - Point1;
     return Point1 + Way * (((PlaneOrigin - Point1) | PlaneNormal) / (Way | PlaneNormal));
 }
@@ -187,7 +198,8 @@ double FMath::GetTForSegmentPlaneIntersect(const FVector& StartPoint, const FVec
     const FVector Normal(Plane.X, Plane.Y, Plane.Z);
     return (Plane.W - (StartPoint | Normal)) / ((EndPoint - StartPoint) | Normal);
 }
-bool FMath::SegmentPlaneIntersection(const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane, FVector& OutIntersectionPoint) {
+bool FMath::SegmentPlaneIntersection(
+    const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane, FVector& OutIntersectionPoint) {
     const double Time = GetTForSegmentPlaneIntersect(StartPoint, EndPoint, Plane);
     if (Time > -UE_KINDA_SMALL_NUMBER && Time < 1.0 + UE_KINDA_SMALL_NUMBER) {
         OutIntersectionPoint = StartPoint + (EndPoint - StartPoint) * Time;
@@ -220,7 +232,8 @@ bool FMath::LineBoxIntersection(const FBox& Box, const FVector& Start, const FVe
     return true;
 }
 
-bool FMath::LineSphereIntersection(const FVector& Start, const FVector& Dir, double Length, const FVector& Origin, double Radius) {
+bool FMath::LineSphereIntersection(
+    const FVector& Start, const FVector& Dir, double Length, const FVector& Origin, double Radius) {
     const FVector ToStart = Start - Origin;
     const double Along = Clamp(-(ToStart | Dir), 0.0, Length);
     return (ToStart + Dir * Along).SizeSquared() <= Square(Radius);
@@ -236,8 +249,8 @@ bool FMath::SphereAABBIntersection(const FVector& SphereCenter, double RadiusSqu
 }
 
 bool FMath::PointBoxIntersection(const FVector& Point, const FBox& Box) {
-    return Point.X >= Box.Min.X && Point.X <= Box.Max.X && Point.Y >= Box.Min.Y && Point.Y <= Box.Max.Y && Point.Z >= Box.Min.Z &&
-           Point.Z <= Box.Max.Z;
+    return Point.X >= Box.Min.X && Point.X <= Box.Max.X && Point.Y >= Box.Min.Y && Point.Y <= Box.Max.Y &&
+           Point.Z >= Box.Min.Z && Point.Z <= Box.Max.Z;
 }
 
 FVector FMath::ClosestPointOnLine(const FVector& LineStart, const FVector& LineEnd, const FVector& Point) {
@@ -246,13 +259,15 @@ FVector FMath::ClosestPointOnLine(const FVector& LineStart, const FVector& LineE
 FVector FMath::ClosestPointOnInfiniteLine(const FVector& LineStart, const FVector& LineEnd, const FVector& Point) {
     const FVector Way = LineEnd - LineStart;
     const double SizeSquared = Way.SizeSquared();
-    return SizeSquared < UE_DOUBLE_SMALL_NUMBER ? LineStart : LineStart + Way * (((Point - LineStart) | Way) / SizeSquared);
+    return SizeSquared < UE_DOUBLE_SMALL_NUMBER ? LineStart
+                                                : LineStart + Way * (((Point - LineStart) | Way) / SizeSquared);
 }
 FVector FMath::ClosestPointOnSegment(const FVector& Point, const FVector& StartPoint, const FVector& EndPoint) {
     const FVector Way = EndPoint - StartPoint;
     const double SizeSquared = Way.SizeSquared();
-    return SizeSquared < UE_DOUBLE_SMALL_NUMBER ? StartPoint
-                                                : StartPoint + Way * Clamp(((Point - StartPoint) | Way) / SizeSquared, 0.0, 1.0);
+    return SizeSquared < UE_DOUBLE_SMALL_NUMBER
+               ? StartPoint
+               : StartPoint + Way * Clamp(((Point - StartPoint) | Way) / SizeSquared, 0.0, 1.0);
 }
 double FMath::PointDistToLine(const FVector& Point, const FVector& Direction, const FVector& Origin) {
     const FVector Normal = Direction.GetSafeNormal();
@@ -270,7 +285,9 @@ void FMath::SegmentDistToSegment(FVector A1, FVector B1, FVector A2, FVector B2,
     const FVector D1 = B1 - A1, D2 = B2 - A2, R = A1 - A2;
     const double A = D1 | D1, E = D2 | D2, F = D2 | R, C = D1 | R, B = D1 | D2;
     const double Denominator = A * E - B * B;
-    double S = A > UE_DOUBLE_SMALL_NUMBER && Denominator > UE_DOUBLE_SMALL_NUMBER ? Clamp((B * F - C * E) / Denominator, 0.0, 1.0) : 0.0;
+    double S = A > UE_DOUBLE_SMALL_NUMBER && Denominator > UE_DOUBLE_SMALL_NUMBER
+                   ? Clamp((B * F - C * E) / Denominator, 0.0, 1.0)
+                   : 0.0;
     double T = E > UE_DOUBLE_SMALL_NUMBER ? (B * S + F) / E : 0.0;
     if (T < 0.0 || T > 1.0) {
         T = Clamp(T, 0.0, 1.0);
@@ -285,13 +302,15 @@ FVector FMath::GetReflectionVector(const FVector& Direction, const FVector& Surf
     return Direction - Normal * (2.0 * (Direction | Normal));
 }
 
-// Noise -------------------------------------------------------------------------------------------------------------------------
+// Noise
+// -------------------------------------------------------------------------------------------------------------------------
 
 namespace {
 
 /** A gradient for a lattice point, from a hash of its coordinates. */
 uint32 LatticeHash(int32 X, int32 Y, int32 Z) {
-    uint32 Hash = static_cast<uint32>(X) * 0x8da6b343u ^ static_cast<uint32>(Y) * 0xd8163841u ^ static_cast<uint32>(Z) * 0xcb1ab31fu;
+    uint32 Hash = static_cast<uint32>(X) * 0x8da6b343u ^ static_cast<uint32>(Y) * 0xd8163841u ^
+                  static_cast<uint32>(Z) * 0xcb1ab31fu;
     Hash ^= Hash >> 15;
     Hash *= 0x2c1b3c6du;
     return Hash ^ (Hash >> 12);
@@ -300,39 +319,49 @@ uint32 LatticeHash(int32 X, int32 Y, int32 Z) {
 /** The gradient's product with the way from the lattice point; gradients are the middles of a cube's edges. */
 double LatticeGradient(int32 X, int32 Y, int32 Z, double DX, double DY, double DZ) {
     switch (LatticeHash(X, Y, Z) % 12) {
-    case 0: return DX + DY;
-    case 1: return -DX + DY;
-    case 2: return DX - DY;
-    case 3: return -DX - DY;
-    case 4: return DX + DZ;
-    case 5: return -DX + DZ;
-    case 6: return DX - DZ;
-    case 7: return -DX - DZ;
-    case 8: return DY + DZ;
-    case 9: return -DY + DZ;
-    case 10: return DY - DZ;
-    default: return -DY - DZ;
+    case 0:
+        return DX + DY;
+    case 1:
+        return -DX + DY;
+    case 2:
+        return DX - DY;
+    case 3:
+        return -DX - DY;
+    case 4:
+        return DX + DZ;
+    case 5:
+        return -DX + DZ;
+    case 6:
+        return DX - DZ;
+    case 7:
+        return -DX - DZ;
+    case 8:
+        return DY + DZ;
+    case 9:
+        return -DY + DZ;
+    case 10:
+        return DY - DZ;
+    default:
+        return -DY - DZ;
     }
 }
 
 double SmoothShare(double T) { return T * T * T * (T * (T * 6.0 - 15.0) + 10.0); }
 
-}  // namespace
+} // namespace
 
 float FMath::PerlinNoise3D(const FVector& Location) {
     const double FX = FloorToDouble(Location.X), FY = FloorToDouble(Location.Y), FZ = FloorToDouble(Location.Z);
-    const int32 X = static_cast<int32>(static_cast<int64>(FX)), Y = static_cast<int32>(static_cast<int64>(FY)), Z = static_cast<int32>(static_cast<int64>(FZ));
+    const int32 X = static_cast<int32>(static_cast<int64>(FX)), Y = static_cast<int32>(static_cast<int64>(FY)),
+                Z = static_cast<int32>(static_cast<int64>(FZ));
     const double DX = Location.X - FX, DY = Location.Y - FY, DZ = Location.Z - FZ;
     const double U = SmoothShare(DX), V = SmoothShare(DY), W = SmoothShare(DZ);
     const auto Edge = [&](int32 J, int32 K) {
-        return Lerp(LatticeGradient(X, Y + J, Z + K, DX, DY - J, DZ - K), LatticeGradient(X + 1, Y + J, Z + K, DX - 1.0, DY - J, DZ - K), U);
+        return Lerp(LatticeGradient(X, Y + J, Z + K, DX, DY - J, DZ - K),
+            LatticeGradient(X + 1, Y + J, Z + K, DX - 1.0, DY - J, DZ - K), U);
     };
     const double Value = Lerp(Lerp(Edge(0, 0), Edge(1, 0), V), Lerp(Edge(0, 1), Edge(1, 1), V), W);
     return static_cast<float>(Clamp(Value, -1.0, 1.0));
 }
-float FMath::PerlinNoise2D(const FVector2D& Location) {
-    return PerlinNoise3D(FVector(Location.X, Location.Y, 0.0));
-}
-float FMath::PerlinNoise1D(float Value) {
-    return PerlinNoise3D(FVector(static_cast<double>(Value), 0.0, 0.0));
-}
+float FMath::PerlinNoise2D(const FVector2D& Location) { return PerlinNoise3D(FVector(Location.X, Location.Y, 0.0)); }
+float FMath::PerlinNoise1D(float Value) { return PerlinNoise3D(FVector(static_cast<double>(Value), 0.0, 0.0)); }

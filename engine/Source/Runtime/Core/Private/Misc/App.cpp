@@ -11,7 +11,8 @@ struct FAppState {
     FGuid InstanceId = FGuid::NewGuid();
     FString ProjectName = TEXT("EmbeddedEngine");
     bool bHasProjectName = false;
-    double CurrentTime = 0.0, LastTime = 0.0, GameTime = 0.0, DeltaTime = 1.0 / 30.0, IdleTime = 0.0, IdleTimeOvershoot = 0.0;
+    double CurrentTime = 0.0, LastTime = 0.0, GameTime = 0.0, DeltaTime = 1.0 / 30.0, IdleTime = 0.0,
+           IdleTimeOvershoot = 0.0;
     double FixedDeltaTime = 1.0 / 30.0;
     bool bUseFixedTimeStep = false, bBenchmarking = false, bUseFixedSeed = false;
 };
@@ -19,11 +20,13 @@ FAppState& State() {
     static FAppState Instance;
     return Instance;
 }
-}  // namespace
+} // namespace
 
 FGuid FApp::GetInstanceId() { return State().InstanceId; }
 FGuid FApp::GetSessionId() { return State().InstanceId; }
-FString FApp::GetInstanceName() { return FString::Printf(TEXT("%s-%u"), FPlatformProcess::ComputerName(), FPlatformProcess::GetCurrentProcessId()); }
+FString FApp::GetInstanceName() {
+    return FString::Printf(TEXT("%s-%u"), FPlatformProcess::ComputerName(), FPlatformProcess::GetCurrentProcessId());
+}
 const TCHAR* FApp::GetProjectName() { return *State().ProjectName; }
 bool FApp::HasProjectName() { return State().bHasProjectName; }
 void FApp::SetProjectName(const TCHAR* InProjectName) {
@@ -56,7 +59,8 @@ bool FApp::UseFixedSeed() { return State().bUseFixedSeed; }
 void FApp::SetUseFixedSeed(bool bVal) { State().bUseFixedSeed = bVal; }
 
 const FEngineVersion& FEngineVersion::Current() {
-    static const FEngineVersion Version(ENGINE_MAJOR_VERSION, ENGINE_MINOR_VERSION, ENGINE_PATCH_VERSION, 0, TEXT("spear-embedded"));
+    static const FEngineVersion Version(
+        ENGINE_MAJOR_VERSION, ENGINE_MINOR_VERSION, ENGINE_PATCH_VERSION, 0, TEXT("spear-embedded"));
     return Version;
 }
 FString FEngineVersion::ToString(EVersionComponent LastComponent) const {

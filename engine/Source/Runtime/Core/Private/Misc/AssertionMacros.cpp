@@ -34,7 +34,7 @@ FString Describe(const TCHAR* Format, va_list Args) {
     std::fflush(nullptr);
     std::abort();
 }
-}  // namespace
+} // namespace
 
 void FDebug::CheckVerifyFailed(const ANSICHAR* Expr, const ANSICHAR* File, int32 Line, const TCHAR* Format, ...) {
     va_list Args;
@@ -61,13 +61,9 @@ void FDebug::DumpStackTraceToLog() {
     backtrace_symbols_fd(Frames, NumFrames, 2);
 }
 
-SIZE_T FDebug::GetNumEnsureFailures() {
-    return GNumEnsureFailures.load();
-}
+SIZE_T FDebug::GetNumEnsureFailures() { return GNumEnsureFailures.load(); }
 
-bool FDebug::HasAsserted() {
-    return GHasAsserted.load();
-}
+bool FDebug::HasAsserted() { return GHasAsserted.load(); }
 
 void LowLevelFatalErrorImpl(const ANSICHAR* File, int32 Line, const TCHAR* Format, ...) {
     va_list Args;

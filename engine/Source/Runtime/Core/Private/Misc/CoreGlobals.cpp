@@ -41,29 +41,20 @@ namespace {
 std::atomic<bool> GExitRequested{false};
 }
 
-FOutputDeviceRedirector* GetGlobalLogSingleton() {
-    return FOutputDeviceRedirector::Get();
-}
+FOutputDeviceRedirector* GetGlobalLogSingleton() { return FOutputDeviceRedirector::Get(); }
 
-bool IsEngineExitRequested() {
-    return GExitRequested.load(std::memory_order_acquire);
-}
+bool IsEngineExitRequested() { return GExitRequested.load(std::memory_order_acquire); }
 
 void RequestEngineExit(const TCHAR* ReasonString) {
     if (!GExitRequested.exchange(true)) {
-        UE_LOG(LogCore, Log, TEXT("Engine exit requested (reason: %s)"), ReasonString ? ReasonString : TEXT("none given"));
+        UE_LOG(
+            LogCore, Log, TEXT("Engine exit requested (reason: %s)"), ReasonString ? ReasonString : TEXT("none given"));
         FCoreDelegates::GetOnEngineExitRequested().Broadcast();
     }
 }
 
-void RequestEngineExit(const FString& ReasonString) {
-    RequestEngineExit(*ReasonString);
-}
+void RequestEngineExit(const FString& ReasonString) { RequestEngineExit(*ReasonString); }
 
-void ClearEngineExitRequest() {
-    GExitRequested.store(false);
-}
+void ClearEngineExitRequest() { GExitRequested.store(false); }
 
-bool IsInGameThread() {
-    return FPlatformTLS::GetCurrentThreadId() == GGameThreadId;
-}
+bool IsInGameThread() { return FPlatformTLS::GetCurrentThreadId() == GGameThreadId; }

@@ -21,7 +21,7 @@ const FCrcTable& GetCrcTable() {
     return Table;
 }
 
-}  // namespace
+} // namespace
 
 uint32 FCrc::MemCrc32(const void* Data, int32 Length, uint32 CRC) {
     const FCrcTable& Table = GetCrcTable();
@@ -33,6 +33,4 @@ uint32 FCrc::MemCrc32(const void* Data, int32 Length, uint32 CRC) {
     return ~CRC;
 }
 
-uint32 FCrc::MemCrc32Char(uint32 Char, uint32 CRC) {
-    return MemCrc32(&Char, sizeof(Char), CRC);
-}
+uint32 FCrc::MemCrc32Char(uint32 Char, uint32 CRC) { return MemCrc32(&Char, sizeof(Char), CRC); }

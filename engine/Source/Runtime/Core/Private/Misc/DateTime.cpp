@@ -10,9 +10,10 @@
 namespace {
 
 constexpr int32 DaysBefore[] = {0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334, 365};
-const TCHAR* const DayNames[] = {TEXT("Monday"), TEXT("Tuesday"), TEXT("Wednesday"), TEXT("Thursday"), TEXT("Friday"), TEXT("Saturday"), TEXT("Sunday")};
-const TCHAR* const MonthNames[] = {TEXT("January"), TEXT("February"), TEXT("March"), TEXT("April"), TEXT("May"), TEXT("June"), TEXT("July"), TEXT("August"),
-    TEXT("September"), TEXT("October"), TEXT("November"), TEXT("December")};
+const TCHAR* const DayNames[] = {TEXT("Monday"), TEXT("Tuesday"), TEXT("Wednesday"), TEXT("Thursday"), TEXT("Friday"),
+    TEXT("Saturday"), TEXT("Sunday")};
+const TCHAR* const MonthNames[] = {TEXT("January"), TEXT("February"), TEXT("March"), TEXT("April"), TEXT("May"),
+    TEXT("June"), TEXT("July"), TEXT("August"), TEXT("September"), TEXT("October"), TEXT("November"), TEXT("December")};
 
 /** Days from 1 January 0001 to 1 January of a year. */
 int64 DaysBeforeYear(int64 Year) {
@@ -42,17 +43,18 @@ bool SkipChar(const TCHAR*& Cursor, TCHAR Char) {
 }
 
 FDateTime FromParts(const tm& Parts, int32 Millisecond) {
-    return FDateTime(Parts.tm_year + 1900, Parts.tm_mon + 1, Parts.tm_mday, Parts.tm_hour, Parts.tm_min, FMath::Min(Parts.tm_sec, 59), Millisecond);
+    return FDateTime(Parts.tm_year + 1900, Parts.tm_mon + 1, Parts.tm_mday, Parts.tm_hour, Parts.tm_min,
+        FMath::Min(Parts.tm_sec, 59), Millisecond);
 }
 
-}  // namespace
+} // namespace
 
 FDateTime::FDateTime(int32 Year, int32 Month, int32 Day, int32 Hour, int32 Minute, int32 Second, int32 Millisecond) {
-    checkf(Validate(Year, Month, Day, Hour, Minute, Second, Millisecond), TEXT("%d-%d-%d %d:%d:%d.%d is no date and time"), Year, Month, Day, Hour, Minute,
-        Second, Millisecond);
+    checkf(Validate(Year, Month, Day, Hour, Minute, Second, Millisecond),
+        TEXT("%d-%d-%d %d:%d:%d.%d is no date and time"), Year, Month, Day, Hour, Minute, Second, Millisecond);
     const int64 Days = DaysBeforeYear(Year) + DaysBefore[Month - 1] + (Month > 2 && IsLeapYear(Year) ? 1 : 0) + Day - 1;
-    Ticks = Days * ETimespan::TicksPerDay + Hour * ETimespan::TicksPerHour + Minute * ETimespan::TicksPerMinute + Second * ETimespan::TicksPerSecond +
-            Millisecond * ETimespan::TicksPerMillisecond;
+    Ticks = Days * ETimespan::TicksPerDay + Hour * ETimespan::TicksPerHour + Minute * ETimespan::TicksPerMinute +
+            Second * ETimespan::TicksPerSecond + Millisecond * ETimespan::TicksPerMillisecond;
 }
 
 void FDateTime::GetDate(int32& OutYear, int32& OutMonth, int32& OutDay) const {
@@ -78,9 +80,11 @@ int32 FDateTime::DaysInMonth(int32 Year, int32 Month) {
     return DaysBefore[Month] - DaysBefore[Month - 1] + (Month == 2 && IsLeapYear(Year) ? 1 : 0);
 }
 
-bool FDateTime::Validate(int32 Year, int32 Month, int32 Day, int32 Hour, int32 Minute, int32 Second, int32 Millisecond) {
-    return Year >= 1 && Year <= 9999 && Month >= 1 && Month <= 12 && Day >= 1 && Day <= DaysInMonth(Year, Month) && Hour >= 0 && Hour <= 23 && Minute >= 0 &&
-           Minute <= 59 && Second >= 0 && Second <= 59 && Millisecond >= 0 && Millisecond <= 999;
+bool FDateTime::Validate(
+    int32 Year, int32 Month, int32 Day, int32 Hour, int32 Minute, int32 Second, int32 Millisecond) {
+    return Year >= 1 && Year <= 9999 && Month >= 1 && Month <= 12 && Day >= 1 && Day <= DaysInMonth(Year, Month) &&
+           Hour >= 0 && Hour <= 23 && Minute >= 0 && Minute <= 59 && Second >= 0 && Second <= 59 && Millisecond >= 0 &&
+           Millisecond <= 999;
 }
 
 FString FDateTime::ToString(const TCHAR* Format) const {
@@ -94,27 +98,69 @@ FString FDateTime::ToString(const TCHAR* Format) const {
             continue;
         }
         switch (*++Format) {
-        case TEXT('a'): Result += FString(DayNames[WeekDay]).Left(3); break;
-        case TEXT('A'): Result += DayNames[WeekDay]; break;
-        case TEXT('w'): Result += FString::FromInt((WeekDay + 1) % 7); break;
-        case TEXT('y'): Result += FString::Printf(TEXT("%02d"), Year % 100); break;
-        case TEXT('Y'): Result += FString::Printf(TEXT("%04d"), Year); break;
-        case TEXT('b'): Result += FString(MonthNames[Month - 1]).Left(3); break;
-        case TEXT('B'): Result += MonthNames[Month - 1]; break;
-        case TEXT('m'): Result += FString::Printf(TEXT("%02d"), Month); break;
-        case TEXT('d'): Result += FString::Printf(TEXT("%02d"), Day); break;
-        case TEXT('e'): Result += FString::FromInt(Day); break;
-        case TEXT('j'): Result += FString::Printf(TEXT("%03d"), GetDayOfYear()); break;
-        case TEXT('l'): Result += FString::FromInt(GetHour12()); break;
-        case TEXT('h'): Result += FString::Printf(TEXT("%02d"), GetHour12()); break;
-        case TEXT('H'): Result += FString::Printf(TEXT("%02d"), GetHour()); break;
-        case TEXT('I'): Result += FString::Printf(TEXT("%02d"), GetHour12()); break;
-        case TEXT('M'): Result += FString::Printf(TEXT("%02d"), GetMinute()); break;
-        case TEXT('S'): Result += FString::Printf(TEXT("%02d"), GetSecond()); break;
-        case TEXT('s'): Result += FString::Printf(TEXT("%03d"), GetMillisecond()); break;
-        case TEXT('T'): Result += FString::Printf(TEXT("%02d:%02d:%02d"), GetHour(), GetMinute(), GetSecond()); break;
-        case TEXT('n'): Result += TEXT("\n"); break;
-        default: Result.AppendChar(*Format); break;
+        case TEXT('a'):
+            Result += FString(DayNames[WeekDay]).Left(3);
+            break;
+        case TEXT('A'):
+            Result += DayNames[WeekDay];
+            break;
+        case TEXT('w'):
+            Result += FString::FromInt((WeekDay + 1) % 7);
+            break;
+        case TEXT('y'):
+            Result += FString::Printf(TEXT("%02d"), Year % 100);
+            break;
+        case TEXT('Y'):
+            Result += FString::Printf(TEXT("%04d"), Year);
+            break;
+        case TEXT('b'):
+            Result += FString(MonthNames[Month - 1]).Left(3);
+            break;
+        case TEXT('B'):
+            Result += MonthNames[Month - 1];
+            break;
+        case TEXT('m'):
+            Result += FString::Printf(TEXT("%02d"), Month);
+            break;
+        case TEXT('d'):
+            Result += FString::Printf(TEXT("%02d"), Day);
+            break;
+        case TEXT('e'):
+            Result += FString::FromInt(Day);
+            break;
+        case TEXT('j'):
+            Result += FString::Printf(TEXT("%03d"), GetDayOfYear());
+            break;
+        case TEXT('l'):
+            Result += FString::FromInt(GetHour12());
+            break;
+        case TEXT('h'):
+            Result += FString::Printf(TEXT("%02d"), GetHour12());
+            break;
+        case TEXT('H'):
+            Result += FString::Printf(TEXT("%02d"), GetHour());
+            break;
+        case TEXT('I'):
+            Result += FString::Printf(TEXT("%02d"), GetHour12());
+            break;
+        case TEXT('M'):
+            Result += FString::Printf(TEXT("%02d"), GetMinute());
+            break;
+        case TEXT('S'):
+            Result += FString::Printf(TEXT("%02d"), GetSecond());
+            break;
+        case TEXT('s'):
+            Result += FString::Printf(TEXT("%03d"), GetMillisecond());
+            break;
+        case TEXT('T'):
+            Result += FString::Printf(TEXT("%02d:%02d:%02d"), GetHour(), GetMinute(), GetSecond());
+            break;
+        case TEXT('n'):
+            Result += TEXT("\n");
+            break;
+        default:
+            Result.AppendChar(*Format);
+            break;
         }
     }
     return Result;
@@ -141,7 +187,8 @@ bool FDateTime::Parse(const FString& DateTimeString, FDateTime& OutDateTime) {
 bool FDateTime::ParseIso8601(const TCHAR* DateTimeString, FDateTime& OutDateTime) {
     const TCHAR* Cursor = DateTimeString;
     int32 Year = 0, Month = 1, Day = 1, Hour = 0, Minute = 0, Second = 0, Millisecond = 0, OffsetMinutes = 0;
-    if (!ReadNumber(Cursor, Year) || !SkipChar(Cursor, TEXT('-')) || !ReadNumber(Cursor, Month) || !SkipChar(Cursor, TEXT('-')) || !ReadNumber(Cursor, Day)) {
+    if (!ReadNumber(Cursor, Year) || !SkipChar(Cursor, TEXT('-')) || !ReadNumber(Cursor, Month) ||
+        !SkipChar(Cursor, TEXT('-')) || !ReadNumber(Cursor, Day)) {
         return false;
     }
     if (*Cursor == TEXT('T') || *Cursor == TEXT(' ')) {
@@ -191,9 +238,7 @@ FDateTime FDateTime::UtcNow() {
     return FromParts(Parts, static_cast<int32>(Time.tv_usec / 1000));
 }
 
-FString FTimespan::ToString() const {
-    return ToString(GetDays() == 0 ? TEXT("%h:%m:%s.%f") : TEXT("%d.%h:%m:%s.%f"));
-}
+FString FTimespan::ToString() const { return ToString(GetDays() == 0 ? TEXT("%h:%m:%s.%f") : TEXT("%d.%h:%m:%s.%f")); }
 
 FString FTimespan::ToString(const TCHAR* Format) const {
     FString Result(Ticks < 0 ? TEXT("-") : TEXT("+"));
@@ -204,21 +249,51 @@ FString FTimespan::ToString(const TCHAR* Format) const {
             continue;
         }
         switch (*++Format) {
-        case TEXT('n'): Result += Ticks < 0 ? TEXT("-") : TEXT(""); break;
-        case TEXT('N'): Result += Ticks < 0 ? TEXT("-") : TEXT("+"); break;
-        case TEXT('d'): Result += FString::FromInt(Size.GetDays()); break;
-        case TEXT('h'): Result += FString::Printf(TEXT("%02d"), Size.GetHours()); break;
-        case TEXT('m'): Result += FString::Printf(TEXT("%02d"), Size.GetMinutes()); break;
-        case TEXT('s'): Result += FString::Printf(TEXT("%02d"), Size.GetSeconds()); break;
-        case TEXT('f'): Result += FString::Printf(TEXT("%03d"), Size.GetFractionMilli()); break;
-        case TEXT('u'): Result += FString::Printf(TEXT("%06d"), Size.GetFractionMicro()); break;
-        case TEXT('t'): Result += FString::Printf(TEXT("%07d"), Size.GetFractionTicks()); break;
-        case TEXT('D'): Result += FString::Printf(TEXT("%f"), Size.GetTotalDays()); break;
-        case TEXT('H'): Result += FString::Printf(TEXT("%f"), Size.GetTotalHours()); break;
-        case TEXT('M'): Result += FString::Printf(TEXT("%f"), Size.GetTotalMinutes()); break;
-        case TEXT('S'): Result += FString::Printf(TEXT("%f"), Size.GetTotalSeconds()); break;
-        case TEXT('F'): Result += FString::Printf(TEXT("%f"), Size.GetTotalMilliseconds()); break;
-        default: Result.AppendChar(*Format); break;
+        case TEXT('n'):
+            Result += Ticks < 0 ? TEXT("-") : TEXT("");
+            break;
+        case TEXT('N'):
+            Result += Ticks < 0 ? TEXT("-") : TEXT("+");
+            break;
+        case TEXT('d'):
+            Result += FString::FromInt(Size.GetDays());
+            break;
+        case TEXT('h'):
+            Result += FString::Printf(TEXT("%02d"), Size.GetHours());
+            break;
+        case TEXT('m'):
+            Result += FString::Printf(TEXT("%02d"), Size.GetMinutes());
+            break;
+        case TEXT('s'):
+            Result += FString::Printf(TEXT("%02d"), Size.GetSeconds());
+            break;
+        case TEXT('f'):
+            Result += FString::Printf(TEXT("%03d"), Size.GetFractionMilli());
+            break;
+        case TEXT('u'):
+            Result += FString::Printf(TEXT("%06d"), Size.GetFractionMicro());
+            break;
+        case TEXT('t'):
+            Result += FString::Printf(TEXT("%07d"), Size.GetFractionTicks());
+            break;
+        case TEXT('D'):
+            Result += FString::Printf(TEXT("%f"), Size.GetTotalDays());
+            break;
+        case TEXT('H'):
+            Result += FString::Printf(TEXT("%f"), Size.GetTotalHours());
+            break;
+        case TEXT('M'):
+            Result += FString::Printf(TEXT("%f"), Size.GetTotalMinutes());
+            break;
+        case TEXT('S'):
+            Result += FString::Printf(TEXT("%f"), Size.GetTotalSeconds());
+            break;
+        case TEXT('F'):
+            Result += FString::Printf(TEXT("%f"), Size.GetTotalMilliseconds());
+            break;
+        default:
+            Result.AppendChar(*Format);
+            break;
         }
     }
     return Result;

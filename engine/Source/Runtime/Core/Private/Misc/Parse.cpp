@@ -8,9 +8,7 @@
 
 namespace {
 
-bool IsBlank(TCHAR Char) {
-    return Char == TEXT(' ') || Char == TEXT('\t') || Char == TEXT('\r') || Char == TEXT('\n');
-}
+bool IsBlank(TCHAR Char) { return Char == TEXT(' ') || Char == TEXT('\t') || Char == TEXT('\r') || Char == TEXT('\n'); }
 
 /** Where Match begins as a word (not inside another, not inside quotes); null if nowhere. */
 const TCHAR* FindWord(const TCHAR* Stream, const TCHAR* Match) {
@@ -42,9 +40,10 @@ bool IntegerValue(const TCHAR* Stream, const TCHAR* Match, NumberType& Value) {
     return true;
 }
 
-}  // namespace
+} // namespace
 
-bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, FString& Value, bool bShouldStopOnSeparator, const TCHAR** OptStreamGotTo) {
+bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, FString& Value, bool bShouldStopOnSeparator,
+    const TCHAR** OptStreamGotTo) {
     const TCHAR* At = FindWord(Stream, Match);
     if (!At) {
         return false;
@@ -67,7 +66,8 @@ bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, FString& Value, bool
     return true;
 }
 
-bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, TCHAR* Value, int32 MaxLen, bool bShouldStopOnSeparator, const TCHAR** OptStreamGotTo) {
+bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, TCHAR* Value, int32 MaxLen, bool bShouldStopOnSeparator,
+    const TCHAR** OptStreamGotTo) {
     FString Text;
     if (!FParse::Value(Stream, Match, Text, bShouldStopOnSeparator, OptStreamGotTo)) {
         return false;
@@ -101,11 +101,17 @@ bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, FGuid& Guid) {
 
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint8& Value) { return IntegerValue(Stream, Match, Value); }
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, int8& Value) { return IntegerValue(Stream, Match, Value); }
-bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint16& Value) { return IntegerValue(Stream, Match, Value); }
+bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint16& Value) {
+    return IntegerValue(Stream, Match, Value);
+}
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, int16& Value) { return IntegerValue(Stream, Match, Value); }
-bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint32& Value) { return IntegerValue(Stream, Match, Value); }
+bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint32& Value) {
+    return IntegerValue(Stream, Match, Value);
+}
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, int32& Value) { return IntegerValue(Stream, Match, Value); }
-bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint64& Value) { return IntegerValue(Stream, Match, Value); }
+bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, uint64& Value) {
+    return IntegerValue(Stream, Match, Value);
+}
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, int64& Value) { return IntegerValue(Stream, Match, Value); }
 
 bool FParse::Value(const TCHAR* Stream, const TCHAR* Match, double& Value) {
@@ -140,7 +146,8 @@ bool FParse::Param(const TCHAR* Stream, const TCHAR* Param) {
     for (const TCHAR* At = Stream; At && *At; ++At) {
         bQuoted ^= *At == TEXT('"');
         const bool bSwitch = (*At == TEXT('-') || *At == TEXT('/')) && (At == Stream || IsBlank(At[-1]));
-        if (!bQuoted && bSwitch && FCString::Strnicmp(At + 1, Param, static_cast<SIZE_T>(Length)) == 0 && (!At[1 + Length] || IsBlank(At[1 + Length]))) {
+        if (!bQuoted && bSwitch && FCString::Strnicmp(At + 1, Param, static_cast<SIZE_T>(Length)) == 0 &&
+            (!At[1 + Length] || IsBlank(At[1 + Length]))) {
             return true;
         }
     }
@@ -153,7 +160,8 @@ bool FParse::Command(const TCHAR** Stream, const TCHAR* Match, bool) {
         ++At;
     }
     const int32 Length = FCString::Strlen(Match);
-    if (FCString::Strnicmp(At, Match, static_cast<SIZE_T>(Length)) != 0 || FChar::IsAlnum(At[Length]) || At[Length] == TEXT('_')) {
+    if (FCString::Strnicmp(At, Match, static_cast<SIZE_T>(Length)) != 0 || FChar::IsAlnum(At[Length]) ||
+        At[Length] == TEXT('_')) {
         return false;
     }
     At += Length;
@@ -241,9 +249,7 @@ uint64 FParse::HexNumber64(const TCHAR* HexString) {
     }
     return Result;
 }
-uint32 FParse::HexNumber(const TCHAR* HexString) {
-    return static_cast<uint32>(HexNumber64(HexString));
-}
+uint32 FParse::HexNumber(const TCHAR* HexString) { return static_cast<uint32>(HexNumber64(HexString)); }
 
 bool FParse::QuotedString(const TCHAR* Stream, FString& Value, int32* OutNumCharsRead) {
     const TCHAR* At = Stream;
@@ -260,11 +266,20 @@ bool FParse::QuotedString(const TCHAR* Stream, FString& Value, int32* OutNumChar
             continue;
         }
         switch (*++At) {
-        case TEXT('n'): Value.AppendChar(TEXT('\n')); break;
-        case TEXT('r'): Value.AppendChar(TEXT('\r')); break;
-        case TEXT('t'): Value.AppendChar(TEXT('\t')); break;
-        case 0: return false;
-        default: Value.AppendChar(*At); break;
+        case TEXT('n'):
+            Value.AppendChar(TEXT('\n'));
+            break;
+        case TEXT('r'):
+            Value.AppendChar(TEXT('\r'));
+            break;
+        case TEXT('t'):
+            Value.AppendChar(TEXT('\t'));
+            break;
+        case 0:
+            return false;
+        default:
+            Value.AppendChar(*At);
+            break;
         }
     }
     if (OutNumCharsRead) {
@@ -273,7 +288,8 @@ bool FParse::QuotedString(const TCHAR* Stream, FString& Value, int32* OutNumChar
     return true;
 }
 
-// FCommandLine ------------------------------------------------------------------------------------------------------------------
+// FCommandLine
+// ------------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -288,7 +304,7 @@ FCommandLineText& GetCommandLineText() {
     return Text;
 }
 
-}  // namespace
+} // namespace
 
 const TCHAR* FCommandLine::Get() { return *GetCommandLineText().Current; }
 const TCHAR* FCommandLine::GetOriginal() { return *GetCommandLineText().Original; }
@@ -319,8 +335,9 @@ FString FCommandLine::BuildFromArgV(const TCHAR* Prefix, int32 ArgC, ANSICHAR* A
         int32 Equals = INDEX_NONE;
         if (Word.Contains(TEXT(" ")) && !Word.Contains(TEXT("\""))) {
             // -Key=value with blanks becomes -Key="value with blanks".
-            Word = Word.StartsWith(TEXT("-")) && Word.FindChar(TEXT('='), Equals) ? Word.Left(Equals + 1) + TEXT("\"") + Word.Mid(Equals + 1) + TEXT("\"")
-                                                                                   : TEXT("\"") + Word + TEXT("\"");
+            Word = Word.StartsWith(TEXT("-")) && Word.FindChar(TEXT('='), Equals)
+                       ? Word.Left(Equals + 1) + TEXT("\"") + Word.Mid(Equals + 1) + TEXT("\"")
+                       : TEXT("\"") + Word + TEXT("\"");
         }
         Add(Word);
     }

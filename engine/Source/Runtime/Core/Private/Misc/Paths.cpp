@@ -42,7 +42,7 @@ int32 LastSlash(const FString& InPath) {
     return FMath::Max(Slash, Backslash);
 }
 
-}  // namespace
+} // namespace
 
 FString FPaths::LaunchDir() { return Directories().Launch; }
 FString FPaths::RootDir() { return Directories().Engine; }
@@ -81,7 +81,8 @@ FString FPaths::GetBaseFilename(const FString& InPath, bool bRemovePath) {
     return Path.FindLastChar(TEXT('.'), Dot) && Dot > LastSlash(Path) ? Path.Left(Dot) : Path;
 }
 FString FPaths::SetExtension(const FString& InPath, const FString& InNewExtension) {
-    const FString Extension = InNewExtension.IsEmpty() || InNewExtension.StartsWith(TEXT(".")) ? InNewExtension : TEXT(".") + InNewExtension;
+    const FString Extension =
+        InNewExtension.IsEmpty() || InNewExtension.StartsWith(TEXT(".")) ? InNewExtension : TEXT(".") + InNewExtension;
     return GetBaseFilename(InPath, false) + Extension;
 }
 FString FPaths::ChangeExtension(const FString& InPath, const FString& InNewExtension) {
@@ -90,7 +91,9 @@ FString FPaths::ChangeExtension(const FString& InPath, const FString& InNewExten
 
 bool FPaths::FileExists(const FString& InPath) { return IFileManager::Get().FileExists(*InPath); }
 bool FPaths::DirectoryExists(const FString& InPath) { return IFileManager::Get().DirectoryExists(*InPath); }
-bool FPaths::IsRelative(const FString& InPath) { return !InPath.StartsWith(TEXT("/")) && !InPath.StartsWith(TEXT("\\")) && !InPath.Mid(1, 1).Equals(TEXT(":")); }
+bool FPaths::IsRelative(const FString& InPath) {
+    return !InPath.StartsWith(TEXT("/")) && !InPath.StartsWith(TEXT("\\")) && !InPath.Mid(1, 1).Equals(TEXT(":"));
+}
 void FPaths::NormalizeFilename(FString& InPath) { InPath.ReplaceInline(TEXT("\\"), TEXT("/")); }
 void FPaths::NormalizeDirectoryName(FString& InPath) {
     NormalizeFilename(InPath);
@@ -118,7 +121,8 @@ bool FPaths::CollapseRelativeDirectories(FString& InPath) {
             Kept.Add(Part);
         }
     }
-    InPath = (bAbsolute ? TEXT("/") : TEXT("")) + FString::Join(Kept, TEXT("/")) + (bDirectory && !Kept.IsEmpty() ? TEXT("/") : TEXT(""));
+    InPath = (bAbsolute ? TEXT("/") : TEXT("")) + FString::Join(Kept, TEXT("/")) +
+             (bDirectory && !Kept.IsEmpty() ? TEXT("/") : TEXT(""));
     return true;
 }
 
@@ -179,7 +183,8 @@ bool FPaths::IsUnderDirectory(const FString& InPath, const FString& InDirectory)
     FString Path = ConvertRelativePathToFull(InPath), Directory = ConvertRelativePathToFull(InDirectory);
     NormalizeDirectoryName(Path);
     NormalizeDirectoryName(Directory);
-    return Path.Equals(Directory, ESearchCase::CaseSensitive) || Path.StartsWith(Directory + TEXT("/"), ESearchCase::CaseSensitive);
+    return Path.Equals(Directory, ESearchCase::CaseSensitive) ||
+           Path.StartsWith(Directory + TEXT("/"), ESearchCase::CaseSensitive);
 }
 FString FPaths::CreateTempFilename(const TCHAR* Path, const TCHAR* Prefix, const TCHAR* Extension) {
     return Combine(FString(Path), FString(Prefix) + FGuid::NewGuid().ToString() + Extension);

@@ -10,9 +10,7 @@
 IMPLEMENT_MODULE(FDefaultModuleImpl, Core)
 
 namespace {
-FString LibraryName(const FString& ModuleName) {
-    return FString::Printf(TEXT("libSpearUE-%s.so"), *ModuleName);
-}
+FString LibraryName(const FString& ModuleName) { return FString::Printf(TEXT("libSpearUE-%s.so"), *ModuleName); }
 
 bool IsFile(const FString& Path) {
     struct stat Info;
@@ -29,7 +27,7 @@ FString OwnDirectory() {
     int32 Slash = INDEX_NONE;
     return Path.FindLastChar(TCHAR('/'), Slash) ? Path.Left(Slash) : FString(TEXT("."));
 }
-}  // namespace
+} // namespace
 
 FModuleManager& FModuleManager::Get() {
     // Never destroyed: module objects are given up by UnloadModulesAtShutdown, not by a static destructor.
@@ -62,8 +60,8 @@ IModuleInterface* FModuleManager::StartLoaded(FName Name, FModuleInfo& Info) {
     return Info.Module.Get();
 }
 
-IModuleInterface* FModuleManager::LoadModuleWithFailureReason(const FName InModuleName, EModuleLoadResult& OutFailureReason,
-                                                              ELoadModuleFlags InLoadModuleFlags) {
+IModuleInterface* FModuleManager::LoadModuleWithFailureReason(
+    const FName InModuleName, EModuleLoadResult& OutFailureReason, ELoadModuleFlags InLoadModuleFlags) {
     checkf(IsInGameThread(), TEXT("Module '%s' must be loaded on the game thread"), *InModuleName.ToString());
     OutFailureReason = EModuleLoadResult::Success;
     TSharedPtr<FModuleInfo> Info;
@@ -97,16 +95,18 @@ IModuleInterface* FModuleManager::LoadModuleWithFailureReason(const FName InModu
         if (!Info->Handle) {
             const FString Error = FPlatformProcess::GetDllError();
             return Fail(Path.IsEmpty() ? EModuleLoadResult::FileNotFound : EModuleLoadResult::CouldNotBeLoadedByOS,
-                        FString::Printf(TEXT("%s. Looked for %s in %d binaries directories, beside libSpearUE-Core.so and on the "
-                                             "library search path; add its directory with AddBinariesDirectory."),
-                                        *Error, *LibraryName(Name), BinariesDirectories.Num()));
+                FString::Printf(
+                    TEXT("%s. Looked for %s in %d binaries directories, beside libSpearUE-Core.so and on the "
+                         "library search path; add its directory with AddBinariesDirectory."),
+                    *Error, *LibraryName(Name), BinariesDirectories.Num()));
         }
         const FString Symbol = TEXT("SpearUE_InitializeModule_") + Name;
-        Info->Initializer = reinterpret_cast<FInitializeModuleFunctionPtr>(FPlatformProcess::GetDllExport(Info->Handle, *Symbol));
+        Info->Initializer =
+            reinterpret_cast<FInitializeModuleFunctionPtr>(FPlatformProcess::GetDllExport(Info->Handle, *Symbol));
         if (!Info->Initializer) {
             return Fail(EModuleLoadResult::FailedToInitialize,
-                        FString::Printf(TEXT("%s has no function %s; put IMPLEMENT_MODULE(Class, %s) into one of its sources."),
-                                        *Info->Filename, *Symbol, *Name));
+                FString::Printf(TEXT("%s has no function %s; put IMPLEMENT_MODULE(Class, %s) into one of its sources."),
+                    *Info->Filename, *Symbol, *Name));
         }
     }
     Info->bIsLoading = true;
@@ -209,7 +209,8 @@ void FModuleManager::AddBinariesDirectory(const TCHAR* InDirectory, bool) {
     BinariesDirectories.AddUnique(FString(InDirectory));
 }
 
-void FModuleManager::RegisterStaticallyLinkedModule(const FName InModuleName, FInitializeModuleFunctionPtr InInitializer) {
+void FModuleManager::RegisterStaticallyLinkedModule(
+    const FName InModuleName, FInitializeModuleFunctionPtr InInitializer) {
     check(InInitializer);
     FScopeLock Lock(&ModulesCriticalSection);
     TSharedRef<FModuleInfo> Info = MakeShared<FModuleInfo>();
@@ -217,6 +218,4 @@ void FModuleManager::RegisterStaticallyLinkedModule(const FName InModuleName, FI
     Modules.Add(InModuleName, Info);
 }
 
-void FModuleManager::StartProcessingNewlyLoadedObjects() {
-    ProcessLoadedObjectsCallback.Broadcast(NAME_None, true);
-}
+void FModuleManager::StartProcessingNewlyLoadedObjects() { ProcessLoadedObjectsCallback.Broadcast(NAME_None, true); }

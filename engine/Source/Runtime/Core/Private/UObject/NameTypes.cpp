@@ -137,7 +137,7 @@ int32 SplitNumber(FStringView& Text) {
     Text = Text.Left(Underscore);
     return NAME_EXTERNAL_TO_INTERNAL(static_cast<int32>(Number));
 }
-}  // namespace
+} // namespace
 
 int32 FNameEntryId::CompareLexical(FNameEntryId Other) const {
     return Value == Other.Value ? 0 : TextOf(*this).Compare(TextOf(Other), ESearchCase::IgnoreCase);
@@ -147,7 +147,8 @@ FName::FName(FStringView View, EFindName FindType) {
     if (View.IsEmpty()) {
         return;
     }
-    checkf(View.Len() < NAME_SIZE, TEXT("FName's %d max length exceeded. Got %d characters"), NAME_SIZE - 1, View.Len());
+    checkf(
+        View.Len() < NAME_SIZE, TEXT("FName's %d max length exceeded. Got %d characters"), NAME_SIZE - 1, View.Len());
     const int32 SplitOff = SplitNumber(View);
     uint32 Display = 0;
     uint32 Comparison = 0;
@@ -162,7 +163,8 @@ FName::FName(FStringView View, int32 InNumber) {
     if (View.IsEmpty()) {
         return;
     }
-    checkf(View.Len() < NAME_SIZE, TEXT("FName's %d max length exceeded. Got %d characters"), NAME_SIZE - 1, View.Len());
+    checkf(
+        View.Len() < NAME_SIZE, TEXT("FName's %d max length exceeded. Got %d characters"), NAME_SIZE - 1, View.Len());
     uint32 Display = 0;
     uint32 Comparison = 0;
     FNamePool::Get().Find(View, FNAME_Add, Display, Comparison);
@@ -180,9 +182,7 @@ FString FName::ToString() const {
     return Result;
 }
 
-FString FName::GetPlainNameString() const {
-    return FString(TextOf(DisplayIndex));
-}
+FString FName::GetPlainNameString() const { return FString(TextOf(DisplayIndex)); }
 
 bool FName::IsEqual(const FName& Other, ENameCase CompareMethod, bool bCompareNumber) const {
     const bool bSameText = CompareMethod == ENameCase::IgnoreCase ? ComparisonIndex == Other.ComparisonIndex
@@ -198,15 +198,14 @@ int32 FName::Compare(const FName& Other) const {
     return Number == Other.Number ? 0 : (GetNumber() < Other.GetNumber() ? -1 : 1);
 }
 
-int32 FName::GetNumNames() {
-    return FNamePool::Get().Num();
-}
+int32 FName::GetNumNames() { return FNamePool::Get().Num(); }
 
 bool FName::IsValidXName(const FString& InvalidChars, FText* OutReason, const FText* InErrorCtx) const {
     return IsValidXName(ToString(), InvalidChars, OutReason, InErrorCtx);
 }
 
-bool FName::IsValidXName(const FString& InName, const FString& InInvalidChars, FText* OutReason, const FText* InErrorCtx) {
+bool FName::IsValidXName(
+    const FString& InName, const FString& InInvalidChars, FText* OutReason, const FText* InErrorCtx) {
     FString Found;
     for (const TCHAR Char : InName) {
         int32 Index;
@@ -219,7 +218,8 @@ bool FName::IsValidXName(const FString& InName, const FString& InInvalidChars, F
     }
     if (OutReason) {
         const FString Context = InErrorCtx ? InErrorCtx->ToString() : FString(TEXT("Name"));
-        *OutReason = FText::FromString(FString::Printf(TEXT("%s may not contain the following characters: '%s'"), *Context, *Found));
+        *OutReason = FText::FromString(
+            FString::Printf(TEXT("%s may not contain the following characters: '%s'"), *Context, *Found));
     }
     return false;
 }
@@ -242,10 +242,9 @@ FString FName::NameToDisplayString(const FString& InDisplayName, const bool bIsB
             }
             continue;
         }
-        const bool bBeginsWord =
-            (FChar::IsUpper(Char) && (FChar::IsLower(Previous) || FChar::IsDigit(Previous) ||
-                                      (FChar::IsUpper(Previous) && FChar::IsLower(Next)))) ||
-            (FChar::IsDigit(Char) && FChar::IsLower(Previous));
+        const bool bBeginsWord = (FChar::IsUpper(Char) && (FChar::IsLower(Previous) || FChar::IsDigit(Previous) ||
+                                                              (FChar::IsUpper(Previous) && FChar::IsLower(Next)))) ||
+                                 (FChar::IsDigit(Char) && FChar::IsLower(Previous));
         if (bBeginsWord && !Result.IsEmpty() && !Result.EndsWith(TEXT(" "))) {
             Result.AppendChar(TCHAR(' '));
         }

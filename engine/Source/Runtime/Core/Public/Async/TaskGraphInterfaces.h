@@ -15,7 +15,7 @@ enum Type : int32 {
     AnyBackgroundThreadNormalTask = AnyThread,
     AnyHiPriThreadHiPriTask = AnyThread,
 };
-}  // namespace ENamedThreads
+} // namespace ENamedThreads
 
 class FTaskGraphInterface {
 public:

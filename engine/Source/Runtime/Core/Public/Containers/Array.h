@@ -77,7 +77,7 @@ concept CContiguousRangeOf = requires(RangeType& Range) {
     { GetData(Range) } -> std::convertible_to<const ElementType*>;
     { GetNum(Range) } -> std::integral;
 };
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 template <typename InElementType, typename InAllocatorType>
 class TArray {
@@ -170,7 +170,7 @@ public:
 
     void RangeCheck(SizeType Index) const {
         checkf(Index >= 0 && Index < ArrayNum, TEXT("Array index out of bounds: %lld into an array of size %lld"),
-               static_cast<long long>(Index), static_cast<long long>(ArrayNum));
+            static_cast<long long>(Index), static_cast<long long>(ArrayNum));
     }
     ElementType& operator[](SizeType Index) {
         RangeCheck(Index);
@@ -281,7 +281,8 @@ public:
     }
     template <typename OtherAllocator>
     bool operator==(const TArray<ElementType, OtherAllocator>& Other) const {
-        return static_cast<int64>(Num()) == static_cast<int64>(Other.Num()) && CompareItems(GetData(), Other.GetData(), Num());
+        return static_cast<int64>(Num()) == static_cast<int64>(Other.Num()) &&
+               CompareItems(GetData(), Other.GetData(), Num());
     }
 
     // ----- adding
@@ -416,7 +417,7 @@ public:
         AddUninitialized(Count);
         ElementType* Data = GetData() + Index;
         FMemory::Memmove(static_cast<void*>(Data + Count), static_cast<const void*>(Data),
-                         static_cast<SIZE_T>(OldNum - Index) * sizeof(ElementType));
+            static_cast<SIZE_T>(OldNum - Index) * sizeof(ElementType));
     }
     void InsertZeroed(SizeType Index, SizeType Count = 1) {
         InsertUninitialized(Index, Count);
@@ -428,8 +429,8 @@ public:
     }
     SizeType Insert(std::initializer_list<ElementType> InitList, SizeType Index) {
         InsertUninitialized(Index, static_cast<SizeType>(InitList.size()));
-        ConstructItems<ElementType>(static_cast<void*>(GetData() + Index), InitList.begin(),
-                                    static_cast<SizeType>(InitList.size()));
+        ConstructItems<ElementType>(
+            static_cast<void*>(GetData() + Index), InitList.begin(), static_cast<SizeType>(InitList.size()));
         return Index;
     }
     template <typename OtherAllocator>

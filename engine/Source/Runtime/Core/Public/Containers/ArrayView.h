@@ -14,7 +14,7 @@ template <typename RangeType>
 constexpr auto CountOf(RangeType&& Range) -> decltype(GetNum(Range)) {
     return GetNum(Range);
 }
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 template <typename InElementType, typename InSizeType>
 class TArrayView {
@@ -30,12 +30,13 @@ public:
     }
     template <typename RangeType>
         requires(!std::is_same_v<std::remove_cvref_t<RangeType>, TArrayView> &&
-                 requires(RangeType& Range) {
-                     { UE::Core::Private::DataOf(Range) } -> std::convertible_to<ElementType*>;
-                     UE::Core::Private::CountOf(Range);
-                 })
+                    requires(RangeType& Range) {
+                        { UE::Core::Private::DataOf(Range) } -> std::convertible_to<ElementType*>;
+                        UE::Core::Private::CountOf(Range);
+                    })
     constexpr TArrayView(RangeType&& Range)
-        : DataPtr(UE::Core::Private::DataOf(Range)), ArrayNum(static_cast<SizeType>(UE::Core::Private::CountOf(Range))) {}
+        : DataPtr(UE::Core::Private::DataOf(Range)),
+          ArrayNum(static_cast<SizeType>(UE::Core::Private::CountOf(Range))) {}
     constexpr TArrayView(std::initializer_list<std::remove_const_t<ElementType>> List)
         requires std::is_const_v<ElementType>
         : DataPtr(List.begin()), ArrayNum(static_cast<SizeType>(List.size())) {}
@@ -48,7 +49,7 @@ public:
     constexpr SIZE_T NumBytes() const { return static_cast<SIZE_T>(ArrayNum) * sizeof(ElementType); }
     constexpr ElementType& operator[](SizeType Index) const {
         checkf(IsValidIndex(Index), TEXT("Array index out of bounds: %lld into a view of size %lld"),
-               static_cast<long long>(Index), static_cast<long long>(ArrayNum));
+            static_cast<long long>(Index), static_cast<long long>(ArrayNum));
         return DataPtr[Index];
     }
     ElementType& Last(SizeType IndexFromTheEnd = 0) const { return (*this)[ArrayNum - IndexFromTheEnd - 1]; }
@@ -107,7 +108,7 @@ public:
     template <typename PredicateClass>
     void Sort(const PredicateClass& Predicate) const {
         std::sort(DataPtr, DataPtr + ArrayNum,
-                  UE::Core::Private::TDereferencePredicate<std::remove_const_t<ElementType>, PredicateClass>{Predicate});
+            UE::Core::Private::TDereferencePredicate<std::remove_const_t<ElementType>, PredicateClass>{Predicate});
     }
     constexpr ElementType* begin() const { return DataPtr; }
     constexpr ElementType* end() const { return DataPtr + ArrayNum; }

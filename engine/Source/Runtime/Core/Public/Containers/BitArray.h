@@ -38,7 +38,9 @@ private:
 template <typename Allocator>
 class TBitArray {
 public:
-    TBitArray() : NumBits(0), MaxBits(AllocatorInstance.GetInitialCapacity() * NumBitsPerDWORD) { ZeroWords(0, MaxBits / 32); }
+    TBitArray() : NumBits(0), MaxBits(AllocatorInstance.GetInitialCapacity() * NumBitsPerDWORD) {
+        ZeroWords(0, MaxBits / 32);
+    }
     explicit TBitArray(bool bValue, int32 InNumBits) : TBitArray() { Add(bValue, InNumBits); }
     TBitArray(const TBitArray& Copy) : TBitArray() { *this = Copy; }
     TBitArray(TBitArray&& Other) : TBitArray() { *this = MoveTemp(Other); }

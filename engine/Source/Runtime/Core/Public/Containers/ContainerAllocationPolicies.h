@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
  * Allocation policies of the containers.
- * A policy has `ForElementType<T>` (typed) and, for type-erased containers, `ForAnyElementType`; both with GetAllocation,
- * ResizeAllocation, MoveToEmpty, CalculateSlack*, HasAllocation and GetInitialCapacity.
+ * A policy has `ForElementType<T>` (typed) and, for type-erased containers, `ForAnyElementType`; both with
+ * GetAllocation, ResizeAllocation, MoveToEmpty, CalculateSlack*, HasAllocation and GetInitialCapacity.
  */
 #pragma once
 
@@ -53,8 +53,8 @@ SizeType DefaultCalculateSlackGrow(SizeType NewMax, SizeType CurrentMax, SIZE_T,
 }
 /** Memory is given back only when much of it is unused. */
 template <typename SizeType>
-SizeType DefaultCalculateSlackShrink(SizeType NewMax, SizeType CurrentMax, SIZE_T BytesPerElement, bool,
-                                     uint32 = DEFAULT_ALIGNMENT) {
+SizeType DefaultCalculateSlackShrink(
+    SizeType NewMax, SizeType CurrentMax, SIZE_T BytesPerElement, bool, uint32 = DEFAULT_ALIGNMENT) {
     const SizeType SlackElements = CurrentMax - NewMax;
     const bool bTooManyBytes = static_cast<SIZE_T>(SlackElements) * BytesPerElement >= 16384;
     const bool bTooManyElements = 3 * static_cast<int64>(NewMax) < 2 * static_cast<int64>(CurrentMax);
@@ -86,8 +86,8 @@ public:
             Other.Data = nullptr;
         }
         FScriptContainerElement* GetAllocation() const { return static_cast<FScriptContainerElement*>(Data); }
-        void ResizeAllocation(SizeType /*CurrentNum*/, SizeType NewMax, SIZE_T NumBytesPerElement,
-                              uint32 Alignment = DEFAULT_ALIGNMENT) {
+        void ResizeAllocation(
+            SizeType /*CurrentNum*/, SizeType NewMax, SIZE_T NumBytesPerElement, uint32 Alignment = DEFAULT_ALIGNMENT) {
             if (Data || NewMax) {
                 Data = FMemory::Realloc(Data, static_cast<SIZE_T>(NewMax) * NumBytesPerElement, Alignment);
             }
@@ -95,12 +95,12 @@ public:
         SizeType CalculateSlackReserve(SizeType NewMax, SIZE_T Bytes, uint32 Alignment = DEFAULT_ALIGNMENT) const {
             return DefaultCalculateSlackReserve(NewMax, Bytes, true, Alignment);
         }
-        SizeType CalculateSlackShrink(SizeType NewMax, SizeType CurrentMax, SIZE_T Bytes,
-                                      uint32 Alignment = DEFAULT_ALIGNMENT) const {
+        SizeType CalculateSlackShrink(
+            SizeType NewMax, SizeType CurrentMax, SIZE_T Bytes, uint32 Alignment = DEFAULT_ALIGNMENT) const {
             return DefaultCalculateSlackShrink(NewMax, CurrentMax, Bytes, true, Alignment);
         }
-        SizeType CalculateSlackGrow(SizeType NewMax, SizeType CurrentMax, SIZE_T Bytes,
-                                    uint32 Alignment = DEFAULT_ALIGNMENT) const {
+        SizeType CalculateSlackGrow(
+            SizeType NewMax, SizeType CurrentMax, SIZE_T Bytes, uint32 Alignment = DEFAULT_ALIGNMENT) const {
             return DefaultCalculateSlackGrow(NewMax, CurrentMax, Bytes, true, Alignment);
         }
         SIZE_T GetAllocatedSize(SizeType CurrentMax, SIZE_T NumBytesPerElement) const {
@@ -116,7 +116,9 @@ public:
     template <typename ElementType>
     class ForElementType : public ForAnyElementType {
     public:
-        ElementType* GetAllocation() const { return reinterpret_cast<ElementType*>(ForAnyElementType::GetAllocation()); }
+        ElementType* GetAllocation() const {
+            return reinterpret_cast<ElementType*>(ForAnyElementType::GetAllocation());
+        }
         void ResizeAllocation(SizeType CurrentNum, SizeType NewMax, SIZE_T NumBytesPerElement) {
             ForAnyElementType::ResizeAllocation(CurrentNum, NewMax, NumBytesPerElement, alignof(ElementType));
         }
@@ -145,7 +147,8 @@ public:
         UE_NONCOPYABLE(ForElementType)
         void MoveToEmpty(ForElementType& Other) {
             if (!Other.SecondaryData.HasAllocation()) {
-                FMemory::Memcpy(static_cast<void*>(InlineData), static_cast<const void*>(Other.InlineData), sizeof(InlineData));
+                FMemory::Memcpy(
+                    static_cast<void*>(InlineData), static_cast<const void*>(Other.InlineData), sizeof(InlineData));
             }
             SecondaryData.MoveToEmpty(Other.SecondaryData);
         }
@@ -158,21 +161,23 @@ public:
         void ResizeAllocation(SizeType CurrentNum, SizeType NewMax, SIZE_T NumBytesPerElement) {
             if (NewMax <= static_cast<SizeType>(NumInlineElements)) {
                 if (SecondaryData.HasAllocation()) {
-                    FMemory::Memcpy(static_cast<void*>(InlineData), static_cast<const void*>(SecondaryData.GetAllocation()),
-                                    static_cast<SIZE_T>(CurrentNum) * NumBytesPerElement);
+                    FMemory::Memcpy(static_cast<void*>(InlineData),
+                        static_cast<const void*>(SecondaryData.GetAllocation()),
+                        static_cast<SIZE_T>(CurrentNum) * NumBytesPerElement);
                     SecondaryData.ResizeAllocation(0, 0, NumBytesPerElement);
                 }
             } else if (!SecondaryData.HasAllocation()) {
                 SecondaryData.ResizeAllocation(0, NewMax, NumBytesPerElement);
                 FMemory::Memcpy(static_cast<void*>(SecondaryData.GetAllocation()), static_cast<const void*>(InlineData),
-                                static_cast<SIZE_T>(CurrentNum) * NumBytesPerElement);
+                    static_cast<SIZE_T>(CurrentNum) * NumBytesPerElement);
             } else {
                 SecondaryData.ResizeAllocation(CurrentNum, NewMax, NumBytesPerElement);
             }
         }
         SizeType CalculateSlackReserve(SizeType NewMax, SIZE_T Bytes) const {
-            return NewMax <= static_cast<SizeType>(NumInlineElements) ? static_cast<SizeType>(NumInlineElements)
-                                                                      : SecondaryData.CalculateSlackReserve(NewMax, Bytes);
+            return NewMax <= static_cast<SizeType>(NumInlineElements)
+                       ? static_cast<SizeType>(NumInlineElements)
+                       : SecondaryData.CalculateSlackReserve(NewMax, Bytes);
         }
         SizeType CalculateSlackShrink(SizeType NewMax, SizeType CurrentMax, SIZE_T Bytes) const {
             return NewMax <= static_cast<SizeType>(NumInlineElements)
@@ -185,8 +190,9 @@ public:
                        : SecondaryData.CalculateSlackGrow(NewMax, CurrentMax, Bytes);
         }
         SIZE_T GetAllocatedSize(SizeType CurrentMax, SIZE_T Bytes) const {
-            return CurrentMax > static_cast<SizeType>(NumInlineElements) ? SecondaryData.GetAllocatedSize(CurrentMax, Bytes)
-                                                                         : 0;
+            return CurrentMax > static_cast<SizeType>(NumInlineElements)
+                       ? SecondaryData.GetAllocatedSize(CurrentMax, Bytes)
+                       : 0;
         }
         bool HasAllocation() const { return SecondaryData.HasAllocation(); }
         SizeType GetInitialCapacity() const { return static_cast<SizeType>(NumInlineElements); }
@@ -214,12 +220,15 @@ public:
         ForElementType() = default;
         UE_NONCOPYABLE(ForElementType)
         void MoveToEmpty(ForElementType& Other) {
-            FMemory::Memcpy(static_cast<void*>(InlineData), static_cast<const void*>(Other.InlineData), sizeof(InlineData));
+            FMemory::Memcpy(
+                static_cast<void*>(InlineData), static_cast<const void*>(Other.InlineData), sizeof(InlineData));
         }
-        ElementType* GetAllocation() const { return const_cast<ElementType*>(reinterpret_cast<const ElementType*>(InlineData)); }
+        ElementType* GetAllocation() const {
+            return const_cast<ElementType*>(reinterpret_cast<const ElementType*>(InlineData));
+        }
         void ResizeAllocation(SizeType, SizeType NewMax, SIZE_T) {
-            checkf(NewMax <= static_cast<SizeType>(NumInlineElements), TEXT("A container of fixed capacity %u cannot hold %d elements"),
-                   NumInlineElements, NewMax);
+            checkf(NewMax <= static_cast<SizeType>(NumInlineElements),
+                TEXT("A container of fixed capacity %u cannot hold %d elements"), NumInlineElements, NewMax);
         }
         SizeType CalculateSlackReserve(SizeType NewMax, SIZE_T) const { return Capacity(NewMax); }
         SizeType CalculateSlackShrink(SizeType NewMax, SizeType, SIZE_T) const { return Capacity(NewMax); }
@@ -230,7 +239,8 @@ public:
 
     private:
         static SizeType Capacity(SizeType NewMax) {
-            return NewMax > static_cast<SizeType>(NumInlineElements) ? NewMax : static_cast<SizeType>(NumInlineElements);
+            return NewMax > static_cast<SizeType>(NumInlineElements) ? NewMax
+                                                                     : static_cast<SizeType>(NumInlineElements);
         }
         TTypeCompatibleBytes<ElementType> InlineData[NumInlineElements];
     };
@@ -249,7 +259,7 @@ public:
 #define DEFAULT_MIN_NUMBER_OF_HASHED_ELEMENTS 4
 
 template <typename InSparseArrayAllocator, typename InHashAllocator, uint32 AverageNumberOfElementsPerHashBucket,
-          uint32 BaseNumberOfHashBuckets, uint32 MinNumberOfHashedElements>
+    uint32 BaseNumberOfHashBuckets, uint32 MinNumberOfHashedElements>
 class TSetAllocator {
 public:
     typedef InSparseArrayAllocator SparseArrayAllocator;
@@ -268,17 +278,15 @@ public:
     }
 };
 template <uint32 NumInlineElements, typename SecondaryAllocator = FDefaultAllocator>
-using TInlineSparseArrayAllocator =
-    TSparseArrayAllocator<TInlineAllocator<NumInlineElements, SecondaryAllocator>,
-                          TInlineAllocator<(NumInlineElements + 31) / 32, SecondaryAllocator>>;
+using TInlineSparseArrayAllocator = TSparseArrayAllocator<TInlineAllocator<NumInlineElements, SecondaryAllocator>,
+    TInlineAllocator<(NumInlineElements + 31) / 32, SecondaryAllocator>>;
 template <uint32 NumInlineElements>
-using TInlineSetAllocator =
-    TSetAllocator<TInlineSparseArrayAllocator<NumInlineElements>, TInlineAllocator<16>,
-                  DEFAULT_NUMBER_OF_ELEMENTS_PER_HASH_BUCKET, DEFAULT_BASE_NUMBER_OF_HASH_BUCKETS,
-                  DEFAULT_MIN_NUMBER_OF_HASHED_ELEMENTS>;
+using TInlineSetAllocator = TSetAllocator<TInlineSparseArrayAllocator<NumInlineElements>, TInlineAllocator<16>,
+    DEFAULT_NUMBER_OF_ELEMENTS_PER_HASH_BUCKET, DEFAULT_BASE_NUMBER_OF_HASH_BUCKETS,
+    DEFAULT_MIN_NUMBER_OF_HASHED_ELEMENTS>;
 
 class FDefaultBitArrayAllocator : public TInlineAllocator<4> {};
 class FDefaultSparseArrayAllocator : public TSparseArrayAllocator<FDefaultAllocator, FDefaultBitArrayAllocator> {};
-class FDefaultSetAllocator
-    : public TSetAllocator<FDefaultSparseArrayAllocator, TInlineAllocator<1>, DEFAULT_NUMBER_OF_ELEMENTS_PER_HASH_BUCKET,
-                           DEFAULT_BASE_NUMBER_OF_HASH_BUCKETS, DEFAULT_MIN_NUMBER_OF_HASHED_ELEMENTS> {};
+class FDefaultSetAllocator : public TSetAllocator<FDefaultSparseArrayAllocator, TInlineAllocator<1>,
+                                 DEFAULT_NUMBER_OF_ELEMENTS_PER_HASH_BUCKET, DEFAULT_BASE_NUMBER_OF_HASH_BUCKETS,
+                                 DEFAULT_MIN_NUMBER_OF_HASHED_ELEMENTS> {};

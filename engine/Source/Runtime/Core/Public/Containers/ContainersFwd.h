@@ -31,15 +31,16 @@ template <typename InElementType, typename Allocator = FDefaultSparseArrayAlloca
 class TSparseArray;
 template <typename ElementType, bool bInAllowDuplicateKeys = false>
 struct DefaultKeyFuncs;
-template <typename InElementType, typename KeyFuncs = DefaultKeyFuncs<InElementType>, typename Allocator = FDefaultSetAllocator>
+template <typename InElementType, typename KeyFuncs = DefaultKeyFuncs<InElementType>,
+    typename Allocator = FDefaultSetAllocator>
 class TSet;
 template <typename KeyType, typename ValueType, bool bInAllowDuplicateKeys>
 struct TDefaultMapHashableKeyFuncs;
 template <typename KeyType, typename ValueType, typename SetAllocator = FDefaultSetAllocator,
-          typename KeyFuncs = TDefaultMapHashableKeyFuncs<KeyType, ValueType, false>>
+    typename KeyFuncs = TDefaultMapHashableKeyFuncs<KeyType, ValueType, false>>
 class TMap;
 template <typename KeyType, typename ValueType, typename SetAllocator = FDefaultSetAllocator,
-          typename KeyFuncs = TDefaultMapHashableKeyFuncs<KeyType, ValueType, true>>
+    typename KeyFuncs = TDefaultMapHashableKeyFuncs<KeyType, ValueType, true>>
 class TMultiMap;
 template <typename CharType>
 class TStringView;

@@ -206,7 +206,8 @@ public:
 
     template <bool bConst>
     class TBaseIterator {
-        using SetIterator = std::conditional_t<bConst, typename ElementSetType::TConstIterator, typename ElementSetType::TIterator>;
+        using SetIterator =
+            std::conditional_t<bConst, typename ElementSetType::TConstIterator, typename ElementSetType::TIterator>;
         using ItElementType = std::conditional_t<bConst, const ElementType, ElementType>;
         using ItValueType = std::conditional_t<bConst, const ValueType, ValueType>;
         using MapType = std::conditional_t<bConst, const TMapBase, TMapBase>;
@@ -400,7 +401,8 @@ struct FScriptMapLayout {
 /** A map whose types are known only at run time, with the same bytes as any TMap. Pair pointers point to the key. */
 class FScriptMap {
 public:
-    static CORE_API FScriptMapLayout GetScriptLayout(int32 KeySize, int32 KeyAlignment, int32 ValueSize, int32 ValueAlignment);
+    static CORE_API FScriptMapLayout GetScriptLayout(
+        int32 KeySize, int32 KeyAlignment, int32 ValueSize, int32 ValueAlignment);
 
     FScriptMap() = default;
     UE_NONCOPYABLE(FScriptMap)
@@ -411,8 +413,12 @@ public:
     int32 NumUnchecked() const { return Pairs.Num(); }
     int32 GetMaxIndex() const { return Pairs.GetMaxIndex(); }
     void* GetData(int32 Index, const FScriptMapLayout& Layout) { return Pairs.GetData(Index, Layout.SetLayout); }
-    const void* GetData(int32 Index, const FScriptMapLayout& Layout) const { return Pairs.GetData(Index, Layout.SetLayout); }
-    void MoveAssign(FScriptMap& Other, const FScriptMapLayout& Layout) { Pairs.MoveAssign(Other.Pairs, Layout.SetLayout); }
+    const void* GetData(int32 Index, const FScriptMapLayout& Layout) const {
+        return Pairs.GetData(Index, Layout.SetLayout);
+    }
+    void MoveAssign(FScriptMap& Other, const FScriptMapLayout& Layout) {
+        Pairs.MoveAssign(Other.Pairs, Layout.SetLayout);
+    }
     void Empty(int32 Slack, const FScriptMapLayout& Layout) { Pairs.Empty(Slack, Layout.SetLayout); }
     void RemoveAt(int32 Index, const FScriptMapLayout& Layout) { Pairs.RemoveAt(Index, Layout.SetLayout); }
     /** Adds a slot that is in no chain: construct key and value, then Rehash. */
@@ -421,23 +427,19 @@ public:
         Pairs.Rehash(Layout.SetLayout, GetKeyHash);
     }
     CORE_API int32 FindPairIndex(const void* Key, const FScriptMapLayout& MapLayout,
-                                 TFunctionRef<uint32(const void*)> GetKeyHash,
-                                 TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) const;
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn) const;
     CORE_API uint8* FindValue(const void* Key, const FScriptMapLayout& MapLayout,
-                              TFunctionRef<uint32(const void*)> GetKeyHash,
-                              TFunctionRef<bool(const void*, const void*)> KeyEqualityFn);
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn);
     /** Adds a pair, or replaces the key and assigns the value of the pair that is there. */
     CORE_API void Add(const void* Key, const void* Value, const FScriptMapLayout& MapLayout,
-                      TFunctionRef<uint32(const void*)> GetKeyHash,
-                      TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
-                      TFunctionRef<void(void*)> KeyConstructAndAssignFn,
-                      TFunctionRef<void(void*)> ValueConstructAndAssignFn, TFunctionRef<void(void*)> ValueAssignFn,
-                      TFunctionRef<void(void*)> DestructKeyFn, TFunctionRef<void(void*)> DestructValueFn);
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
+        TFunctionRef<void(void*)> KeyConstructAndAssignFn, TFunctionRef<void(void*)> ValueConstructAndAssignFn,
+        TFunctionRef<void(void*)> ValueAssignFn, TFunctionRef<void(void*)> DestructKeyFn,
+        TFunctionRef<void(void*)> DestructValueFn);
     /** Index of the pair with that key, or of a new one that ConstructPairFn(key, value) has constructed. */
     CORE_API int32 FindOrAdd(const void* Key, const FScriptMapLayout& MapLayout,
-                             TFunctionRef<uint32(const void*)> GetKeyHash,
-                             TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
-                             TFunctionRef<void(void*, void*)> ConstructPairFn);
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> KeyEqualityFn,
+        TFunctionRef<void(void*, void*)> ConstructPairFn);
 
 private:
     FScriptSet Pairs;

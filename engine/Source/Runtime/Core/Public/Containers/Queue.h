@@ -42,8 +42,7 @@ public:
         return Dequeue(Ignored);
     }
     void Empty() {
-        while (Pop()) {
-        }
+        while (Pop()) {}
     }
     bool IsEmpty() const { return Tail->NextNode.load(std::memory_order_acquire) == nullptr; }
     bool Peek(T& OutItem) const {

@@ -33,7 +33,7 @@ public:
         const int32 OldNum = ArrayNum;
         Add(Count, NumBytesPerElement, AlignmentOfElement);
         FMemory::Memmove(At(Index + Count, NumBytesPerElement), At(Index, NumBytesPerElement),
-                         static_cast<SIZE_T>(OldNum - Index) * NumBytesPerElement);
+            static_cast<SIZE_T>(OldNum - Index) * NumBytesPerElement);
     }
     /** Adds Count uninitialised elements; returns the index of the first. */
     int32 Add(int32 Count, SIZE_T NumBytesPerElement, uint32 AlignmentOfElement) {
@@ -64,7 +64,7 @@ public:
         }
     }
     void SetNumUninitialized(int32 NewNum, SIZE_T NumBytesPerElement, uint32 AlignmentOfElement,
-                             EAllowShrinking AllowShrinking = EAllowShrinking::Default) {
+        EAllowShrinking AllowShrinking = EAllowShrinking::Default) {
         if (NewNum > ArrayNum) {
             Add(NewNum - ArrayNum, NumBytesPerElement, AlignmentOfElement);
         } else if (NewNum < ArrayNum) {
@@ -94,13 +94,13 @@ public:
     }
     /** Closes the gap; the removed elements must have been destroyed before. */
     void Remove(int32 Index, int32 Count, SIZE_T NumBytesPerElement, uint32 AlignmentOfElement,
-                EAllowShrinking AllowShrinking = EAllowShrinking::Default) {
+        EAllowShrinking AllowShrinking = EAllowShrinking::Default) {
         check(Count >= 0 && Index >= 0 && Index + Count <= ArrayNum);
         if (Count == 0) {
             return;
         }
         FMemory::Memmove(At(Index, NumBytesPerElement), At(Index + Count, NumBytesPerElement),
-                         static_cast<SIZE_T>(ArrayNum - Index - Count) * NumBytesPerElement);
+            static_cast<SIZE_T>(ArrayNum - Index - Count) * NumBytesPerElement);
         ArrayNum -= Count;
         if (AllowShrinking == EAllowShrinking::Yes) {
             const int32 NewMax = this->CalculateSlackShrink(ArrayNum, ArrayMax, NumBytesPerElement, AlignmentOfElement);

@@ -26,7 +26,9 @@ public:
     int32 Num() const { return Elements.Num(); }
     int32 NumUnchecked() const { return Elements.Num(); }
     int32 GetMaxIndex() const { return Elements.GetMaxIndex(); }
-    void* GetData(int32 Index, const FScriptSetLayout& Layout) { return Elements.GetData(Index, Layout.SparseArrayLayout); }
+    void* GetData(int32 Index, const FScriptSetLayout& Layout) {
+        return Elements.GetData(Index, Layout.SparseArrayLayout);
+    }
     const void* GetData(int32 Index, const FScriptSetLayout& Layout) const {
         return Elements.GetData(Index, Layout.SparseArrayLayout);
     }
@@ -34,29 +36,29 @@ public:
     CORE_API void MoveAssign(FScriptSet& Other, const FScriptSetLayout& Layout);
     /** Forgets all slots; the elements must have been destroyed before. */
     CORE_API void Empty(int32 Slack, const FScriptSetLayout& Layout);
-    /** Takes an element out of its chain and frees its slot; it must have been destroyed after its hash index was last needed. */
+    /** Takes an element out of its chain and frees its slot; it must have been destroyed after its hash index was last
+     * needed. */
     CORE_API void RemoveAt(int32 Index, const FScriptSetLayout& Layout);
     /** Adds a slot that is in no chain: construct the element, then Rehash. */
     CORE_API int32 AddUninitialized(const FScriptSetLayout& Layout);
     CORE_API void Rehash(const FScriptSetLayout& Layout, TFunctionRef<uint32(const void*)> GetKeyHash);
     /** Index of the equal element, or INDEX_NONE. */
     CORE_API int32 FindIndex(const void* Element, const FScriptSetLayout& Layout,
-                             TFunctionRef<uint32(const void*)> GetKeyHash,
-                             TFunctionRef<bool(const void*, const void*)> EqualityFn) const;
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> EqualityFn) const;
     CORE_API int32 FindIndexByHash(const void* Element, const FScriptSetLayout& Layout, uint32 KeyHash,
-                                   TFunctionRef<bool(const void*, const void*)> EqualityFn) const;
+        TFunctionRef<bool(const void*, const void*)> EqualityFn) const;
     /** Index of the equal element, or of a new slot that ConstructFn has constructed. */
     CORE_API int32 FindOrAdd(const void* Element, const FScriptSetLayout& Layout,
-                             TFunctionRef<uint32(const void*)> GetKeyHash,
-                             TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn);
+        TFunctionRef<uint32(const void*)> GetKeyHash, TFunctionRef<bool(const void*, const void*)> EqualityFn,
+        TFunctionRef<void(void*)> ConstructFn);
     /** Adds, or replaces the equal element (DestructFn, then ConstructFn at its place). */
     CORE_API void Add(const void* Element, const FScriptSetLayout& Layout, TFunctionRef<uint32(const void*)> GetKeyHash,
-                      TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn,
-                      TFunctionRef<void(void*)> DestructFn);
+        TFunctionRef<bool(const void*, const void*)> EqualityFn, TFunctionRef<void(void*)> ConstructFn,
+        TFunctionRef<void(void*)> DestructFn);
 
 private:
     int32 AddNewElement(const FScriptSetLayout& Layout, TFunctionRef<uint32(const void*)> GetKeyHash, uint32 KeyHash,
-                        TFunctionRef<void(void*)> ConstructFn);
+        TFunctionRef<void(void*)> ConstructFn);
     FSetElementId& GetHashNextIdRef(int32 Index, const FScriptSetLayout& Layout) const;
     int32& GetHashIndexRef(int32 Index, const FScriptSetLayout& Layout) const;
     FSetElementId& Bucket(uint32 KeyHash) const {

@@ -117,7 +117,8 @@ public:
 
     void Empty(int32 ExpectedNumElements = 0) {
         Elements.Empty(ExpectedNumElements);
-        const int32 Desired = static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(ExpectedNumElements)));
+        const int32 Desired =
+            static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(ExpectedNumElements)));
         if (ExpectedNumElements != 0 && (HashSize == 0 || HashSize != Desired)) {
             HashSize = Desired;
             RehashAll();
@@ -146,7 +147,8 @@ public:
     void Reserve(int32 Number) {
         if (Number > Elements.Num()) {
             Elements.Reserve(Number);
-            const int32 NewHashSize = static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(Number)));
+            const int32 NewHashSize =
+                static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(Number)));
             if (!HashSize || HashSize < NewHashSize) {
                 HashSize = NewHashSize;
                 RehashAll();
@@ -183,7 +185,8 @@ public:
     FSetElementId Emplace(ArgsType&& Args, bool* bIsAlreadyInSetPtr = nullptr) {
         const FSparseArrayAllocationInfo Allocation = Elements.AddUninitialized();
         SetElementType* Element = ::new (Allocation.Pointer) SetElementType(InPlace, Forward<ArgsType>(Args));
-        return Place(Allocation.Index, *Element, KeyFuncs::GetKeyHash(KeyFuncs::GetSetKey(Element->Value)), bIsAlreadyInSetPtr);
+        return Place(
+            Allocation.Index, *Element, KeyFuncs::GetKeyHash(KeyFuncs::GetSetKey(Element->Value)), bIsAlreadyInSetPtr);
     }
     template <typename ArgsType>
     FSetElementId EmplaceByHash(uint32 KeyHash, ArgsType&& Args, bool* bIsAlreadyInSetPtr = nullptr) {
@@ -389,7 +392,7 @@ private:
         }
         const SetElementType& Element = Elements[Index];
         for (FSetElementId* Next = &Bucket(static_cast<uint32>(Element.HashIndex)); Next->IsValidId();
-             Next = &Elements[Next->AsInteger()].HashNextId) {
+            Next = &Elements[Next->AsInteger()].HashNextId) {
             if (Next->AsInteger() == Index) {
                 *Next = Element.HashNextId;
                 break;
@@ -417,9 +420,11 @@ private:
         return NumRemoved;
     }
     bool ConditionalRehash(int32 NumHashedElements, EAllowShrinking AllowShrinking) {
-        const int32 Desired = static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(NumHashedElements)));
-        const bool bNeeded = NumHashedElements > 0 && (!HashSize || HashSize < Desired ||
-                                                       (HashSize > Desired && AllowShrinking == EAllowShrinking::Yes));
+        const int32 Desired =
+            static_cast<int32>(Allocator::GetNumberOfHashBuckets(static_cast<uint32>(NumHashedElements)));
+        const bool bNeeded =
+            NumHashedElements > 0 &&
+            (!HashSize || HashSize < Desired || (HashSize > Desired && AllowShrinking == EAllowShrinking::Yes));
         if (bNeeded) {
             HashSize = Desired;
             RehashAll();

@@ -11,9 +11,7 @@ struct FSparseArrayAllocationInfo {
     void* Pointer;
 };
 /** `new (SparseArray.AddUninitialized()) T(...)` as UE allows it. */
-inline void* operator new(size_t, const FSparseArrayAllocationInfo& Allocation) {
-    return Allocation.Pointer;
-}
+inline void* operator new(size_t, const FSparseArrayAllocationInfo& Allocation) { return Allocation.Pointer; }
 inline void operator delete(void*, const FSparseArrayAllocationInfo&) {}
 
 /** An element, or a link in the list of holes. */
@@ -99,7 +97,9 @@ public:
         AllocationFlags[Index] = true;
         return {Index, static_cast<void*>(GetData(Index).ElementData)};
     }
-    void Insert(int32 Index, const ElementType& Element) { ::new (InsertUninitialized(Index).Pointer) ElementType(Element); }
+    void Insert(int32 Index, const ElementType& Element) {
+        ::new (InsertUninitialized(Index).Pointer) ElementType(Element);
+    }
 
     void RemoveAt(int32 Index, int32 Count = 1) {
         for (int32 It = Index; It < Index + Count; ++It) {
@@ -149,13 +149,14 @@ public:
     /** Closes the holes by moving elements from the end; returns whether anything moved. */
     bool Compact() {
         bool bMoved = false;
-        for (int32 Hole = AllocationFlags.Find(false); Hole != INDEX_NONE; Hole = AllocationFlags.FindFrom(false, Hole)) {
+        for (int32 Hole = AllocationFlags.Find(false); Hole != INDEX_NONE;
+            Hole = AllocationFlags.FindFrom(false, Hole)) {
             const int32 Last = AllocationFlags.FindLast(true);
             if (Last < Hole) {
                 break;
             }
-            FMemory::Memcpy(static_cast<void*>(GetData(Hole).ElementData), static_cast<const void*>(GetData(Last).ElementData),
-                            sizeof(FElementOrFreeListLink));
+            FMemory::Memcpy(static_cast<void*>(GetData(Hole).ElementData),
+                static_cast<const void*>(GetData(Last).ElementData), sizeof(FElementOrFreeListLink));
             AllocationFlags[Hole] = true;
             AllocationFlags[Last] = false;
             bMoved = true;
@@ -166,10 +167,11 @@ public:
     bool CompactStable() {
         bool bMoved = false;
         int32 Write = 0;
-        for (int32 Read = AllocationFlags.Find(true); Read != INDEX_NONE; Read = AllocationFlags.FindFrom(true, Read + 1)) {
+        for (int32 Read = AllocationFlags.Find(true); Read != INDEX_NONE;
+            Read = AllocationFlags.FindFrom(true, Read + 1)) {
             if (Write != Read) {
                 FMemory::Memcpy(static_cast<void*>(GetData(Write).ElementData),
-                                static_cast<const void*>(GetData(Read).ElementData), sizeof(FElementOrFreeListLink));
+                    static_cast<const void*>(GetData(Read).ElementData), sizeof(FElementOrFreeListLink));
                 AllocationFlags[Write] = true;
                 AllocationFlags[Read] = false;
                 bMoved = true;
@@ -184,7 +186,8 @@ public:
         ElementType* Begin = reinterpret_cast<ElementType*>(Data.GetData());
         static_assert(sizeof(FElementOrFreeListLink) >= sizeof(ElementType));
         if constexpr (sizeof(FElementOrFreeListLink) == sizeof(ElementType)) {
-            std::sort(Begin, Begin + Num(), UE::Core::Private::TDereferencePredicate<ElementType, PredicateClass>{Predicate});
+            std::sort(
+                Begin, Begin + Num(), UE::Core::Private::TDereferencePredicate<ElementType, PredicateClass>{Predicate});
         } else {
             TArray<ElementType> Sorted;
             for (ElementType& Element : *this) {
@@ -368,4 +371,5 @@ private:
     int32 FirstFreeIndex = INDEX_NONE;
     int32 NumFreeIndices = 0;
 };
-static_assert(sizeof(FScriptSparseArray) == sizeof(TSparseArray<int32>), "FScriptSparseArray must have TSparseArray's layout");
+static_assert(
+    sizeof(FScriptSparseArray) == sizeof(TSparseArray<int32>), "FScriptSparseArray must have TSparseArray's layout");

@@ -12,9 +12,7 @@
 namespace UE::Core::Private {
 inline constexpr uint32 BadCodepoint = 0xFFFD;
 
-inline uint32 DecodeOne(const ANSICHAR*& Cursor, const ANSICHAR*) {
-    return static_cast<uint8>(*Cursor++);
-}
+inline uint32 DecodeOne(const ANSICHAR*& Cursor, const ANSICHAR*) { return static_cast<uint8>(*Cursor++); }
 CORE_API uint32 DecodeOne(const UTF8CHAR*& Cursor, const UTF8CHAR* End);
 inline uint32 DecodeOne(const UTF16CHAR*& Cursor, const UTF16CHAR* End) {
     const uint32 First = *Cursor++;
@@ -23,12 +21,8 @@ inline uint32 DecodeOne(const UTF16CHAR*& Cursor, const UTF16CHAR* End) {
     }
     return First >= 0xD800 && First < 0xE000 ? BadCodepoint : First;
 }
-inline uint32 DecodeOne(const UTF32CHAR*& Cursor, const UTF32CHAR*) {
-    return static_cast<uint32>(*Cursor++);
-}
-inline uint32 DecodeOne(const WIDECHAR*& Cursor, const WIDECHAR*) {
-    return static_cast<uint32>(*Cursor++);
-}
+inline uint32 DecodeOne(const UTF32CHAR*& Cursor, const UTF32CHAR*) { return static_cast<uint32>(*Cursor++); }
+inline uint32 DecodeOne(const WIDECHAR*& Cursor, const WIDECHAR*) { return static_cast<uint32>(*Cursor++); }
 
 template <typename ArrayType>
 void EncodeOne(ANSICHAR, uint32 Codepoint, ArrayType& Out) {
@@ -82,7 +76,7 @@ void ConvertString(const From* Source, int32 SourceLength, ArrayType& Out) {
         }
     }
 }
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 /** A converted string, owned. */
 template <typename From, typename To, typename Exposed = To>
@@ -101,10 +95,11 @@ public:
     }
     /** Of anything with characters and a count: views, builders. */
     template <typename RangeType>
-        requires(!std::is_pointer_v<std::decay_t<RangeType>> && requires(const RangeType& Range) {
-            Range.GetData();
-            Range.Len();
-        })
+        requires(!std::is_pointer_v<std::decay_t<RangeType>> &&
+                 requires(const RangeType& Range) {
+                     Range.GetData();
+                     Range.Len();
+                 })
     explicit TStringConversion(const RangeType& Range) : TStringConversion(Range.GetData(), Range.Len()) {}
     TStringConversion(TStringConversion&&) = default;
 

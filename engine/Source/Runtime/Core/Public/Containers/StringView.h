@@ -24,10 +24,11 @@ public:
     constexpr TStringView(const CharType* InData, int32 InSize) : DataPtr(InData), Size(InSize) {}
     /** Of FString and string builders: whatever has characters and a Len(). */
     template <typename RangeType>
-        requires(!std::is_same_v<RangeType, TStringView> && requires(const RangeType& Range) {
-            { Range.GetData() } -> std::convertible_to<const CharType*>;
-            { Range.Len() } -> std::convertible_to<int32>;
-        })
+        requires(!std::is_same_v<RangeType, TStringView> &&
+                    requires(const RangeType& Range) {
+                        { Range.GetData() } -> std::convertible_to<const CharType*>;
+                        { Range.Len() } -> std::convertible_to<int32>;
+                    })
     constexpr TStringView(const RangeType& Range) : DataPtr(Range.GetData()), Size(Range.Len()) {}
 
     constexpr const CharType* GetData() const { return DataPtr; }
@@ -109,8 +110,8 @@ public:
     bool EndsWith(TStringView Suffix, ESearchCase::Type SearchCase = ESearchCase::IgnoreCase) const {
         return Size >= Suffix.Size && Right(Suffix.Size).Equals(Suffix, SearchCase);
     }
-    int32 Find(TStringView Search, int32 StartPosition = 0,
-               ESearchCase::Type SearchCase = ESearchCase::CaseSensitive) const {
+    int32 Find(
+        TStringView Search, int32 StartPosition = 0, ESearchCase::Type SearchCase = ESearchCase::CaseSensitive) const {
         for (int32 Index = StartPosition < 0 ? 0 : StartPosition; Index + Search.Size <= Size; ++Index) {
             if (TStringView(DataPtr + Index, Search.Size).Equals(Search, SearchCase)) {
                 return Index;
@@ -187,7 +188,10 @@ TStringView<CharType> MakeStringView(const CharType* Data) {
     return TStringView<CharType>(Data);
 }
 template <typename T>
-    requires requires(const T& Value) { Value.GetData(); Value.Len(); }
+    requires requires(const T& Value) {
+        Value.GetData();
+        Value.Len();
+    }
 auto MakeStringView(const T& Value) {
     return TStringView<std::remove_cvref_t<decltype(*Value.GetData())>>(Value.GetData(), Value.Len());
 }

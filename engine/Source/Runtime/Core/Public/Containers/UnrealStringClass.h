@@ -44,7 +44,9 @@ public:
         Result.AppendConverted(Ptr, Size);
         return Result;
     }
-    static FString ConstructWithSlack(const TCHAR* Ptr, int32 ExtraSlack) { return FString(FStringView(Ptr), ExtraSlack); }
+    static FString ConstructWithSlack(const TCHAR* Ptr, int32 ExtraSlack) {
+        return FString(FStringView(Ptr), ExtraSlack);
+    }
 
     FString& operator=(const TCHAR* Str) {
         FString Copy(Str);
@@ -58,11 +60,13 @@ public:
     // ----- access
 
     TCHAR& operator[](int32 Index) {
-        checkf(IsValidIndex(Index), TEXT("String index out of bounds: index %d of a string of length %d"), Index, Len());
+        checkf(
+            IsValidIndex(Index), TEXT("String index out of bounds: index %d of a string of length %d"), Index, Len());
         return Data.GetData()[Index];
     }
     const TCHAR& operator[](int32 Index) const {
-        checkf(IsValidIndex(Index), TEXT("String index out of bounds: index %d of a string of length %d"), Index, Len());
+        checkf(
+            IsValidIndex(Index), TEXT("String index out of bounds: index %d of a string of length %d"), Index, Len());
         return Data.GetData()[Index];
     }
     /** The characters, terminated; never null. */
@@ -138,11 +142,11 @@ public:
         return View().EndsWith(InSuffix, SearchCase);
     }
     bool Contains(FStringView SubStr, ESearchCase::Type SearchCase = ESearchCase::IgnoreCase,
-                  ESearchDir::Type SearchDir = ESearchDir::FromStart) const {
+        ESearchDir::Type SearchDir = ESearchDir::FromStart) const {
         return Find(SubStr, SearchCase, SearchDir) != INDEX_NONE;
     }
     int32 Find(FStringView SubStr, ESearchCase::Type SearchCase = ESearchCase::IgnoreCase,
-               ESearchDir::Type SearchDir = ESearchDir::FromStart, int32 StartPosition = INDEX_NONE) const {
+        ESearchDir::Type SearchDir = ESearchDir::FromStart, int32 StartPosition = INDEX_NONE) const {
         return SearchDir == ESearchDir::FromStart
                    ? View().Find(SubStr, StartPosition == INDEX_NONE ? 0 : StartPosition, SearchCase)
                    : View().FindFromEnd(SubStr, StartPosition, SearchCase);
@@ -179,14 +183,14 @@ public:
     }
     /** Splits at the first (or last) place of InS; either part may be null. False if it is not there. */
     CORE_API bool Split(const FString& InS, FString* LeftS, FString* RightS,
-                        ESearchCase::Type SearchCase = ESearchCase::IgnoreCase,
-                        ESearchDir::Type SearchDir = ESearchDir::FromStart) const;
+        ESearchCase::Type SearchCase = ESearchCase::IgnoreCase,
+        ESearchDir::Type SearchDir = ESearchDir::FromStart) const;
     /** Splits at every delimiter; returns the number of parts. */
     CORE_API int32 ParseIntoArray(TArray<FString>& OutArray, const TCHAR* pchDelim, bool InCullEmpty = true) const;
-    CORE_API int32 ParseIntoArray(TArray<FString>& OutArray, const TCHAR* const* DelimArray, int32 NumDelims,
-                                  bool InCullEmpty = true) const;
-    CORE_API int32 ParseIntoArrayWS(TArray<FString>& OutArray, const TCHAR* pchExtraDelim = nullptr,
-                                    bool InCullEmpty = true) const;
+    CORE_API int32 ParseIntoArray(
+        TArray<FString>& OutArray, const TCHAR* const* DelimArray, int32 NumDelims, bool InCullEmpty = true) const;
+    CORE_API int32 ParseIntoArrayWS(
+        TArray<FString>& OutArray, const TCHAR* pchExtraDelim = nullptr, bool InCullEmpty = true) const;
     CORE_API int32 ParseIntoArrayLines(TArray<FString>& OutArray, bool InCullEmpty = true) const;
 
     // ----- changed copies, and the same in place
@@ -221,10 +225,10 @@ public:
         return Result;
     }
     /** Returns the number of replacements. */
-    CORE_API int32 ReplaceInline(const TCHAR* SearchText, const TCHAR* ReplacementText,
-                                 ESearchCase::Type SearchCase = ESearchCase::IgnoreCase);
-    CORE_API void ReplaceCharInline(TCHAR SearchChar, TCHAR ReplacementChar,
-                                    ESearchCase::Type SearchCase = ESearchCase::IgnoreCase);
+    CORE_API int32 ReplaceInline(
+        const TCHAR* SearchText, const TCHAR* ReplacementText, ESearchCase::Type SearchCase = ESearchCase::IgnoreCase);
+    CORE_API void ReplaceCharInline(
+        TCHAR SearchChar, TCHAR ReplacementChar, ESearchCase::Type SearchCase = ESearchCase::IgnoreCase);
     FString ReplaceQuotesWithEscapedQuotes() const { return Replace(TEXT("\""), TEXT("\\\"")); }
     CORE_API FString ReplaceCharWithEscapedChar() const;
     CORE_API FString ReplaceEscapedCharWithChar() const;
@@ -237,7 +241,7 @@ public:
     [[nodiscard]] static FString Printf(const FmtType& Fmt, Types... Args) {
         static_assert(std::is_convertible_v<const FmtType&, const TCHAR*>, "Formatting string must be a TCHAR array.");
         static_assert((UE::Core::Private::TIsPrintfArgument<Types> && ...),
-                      "Invalid argument(s) passed to FString::Printf; pass strings as *Str");
+            "Invalid argument(s) passed to FString::Printf; pass strings as *Str");
         return PrintfImpl(Fmt, Args...);
     }
     template <typename FmtType, typename... Types>
@@ -246,8 +250,10 @@ public:
     }
     static CORE_API FString PrintfVa(const TCHAR* Fmt, va_list Args);
     /** Replaces {Name} and {0}. */
-    [[nodiscard]] static CORE_API FString Format(const TCHAR* InFormatString, const FStringFormatNamedArguments& InNamedArguments);
-    [[nodiscard]] static CORE_API FString Format(const TCHAR* InFormatString, const FStringFormatOrderedArguments& InOrderedArguments);
+    [[nodiscard]] static CORE_API FString Format(
+        const TCHAR* InFormatString, const FStringFormatNamedArguments& InNamedArguments);
+    [[nodiscard]] static CORE_API FString Format(
+        const TCHAR* InFormatString, const FStringFormatOrderedArguments& InOrderedArguments);
     [[nodiscard]] static FString Chr(TCHAR Ch) { return FString(FStringView(&Ch, 1)); }
     [[nodiscard]] static CORE_API FString ChrN(int32 NumCharacters, TCHAR Char);
     [[nodiscard]] static CORE_API FString FromInt(int32 Num);
@@ -295,12 +301,24 @@ public:
     friend bool operator==(const FString& Lhs, const FString& Rhs) { return Lhs.Equals(Rhs, ESearchCase::IgnoreCase); }
     friend bool operator==(const FString& Lhs, const TCHAR* Rhs) { return Lhs.Equals(Rhs, ESearchCase::IgnoreCase); }
     friend bool operator==(const FString& Lhs, FStringView Rhs) { return Lhs.Equals(Rhs, ESearchCase::IgnoreCase); }
-    friend bool operator<(const FString& Lhs, const FString& Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) < 0; }
-    friend bool operator<(const FString& Lhs, const TCHAR* Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) < 0; }
-    friend bool operator<=(const FString& Lhs, const FString& Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) <= 0; }
-    friend bool operator>(const FString& Lhs, const FString& Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) > 0; }
-    friend bool operator>(const FString& Lhs, const TCHAR* Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) > 0; }
-    friend bool operator>=(const FString& Lhs, const FString& Rhs) { return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) >= 0; }
+    friend bool operator<(const FString& Lhs, const FString& Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) < 0;
+    }
+    friend bool operator<(const FString& Lhs, const TCHAR* Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) < 0;
+    }
+    friend bool operator<=(const FString& Lhs, const FString& Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) <= 0;
+    }
+    friend bool operator>(const FString& Lhs, const FString& Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) > 0;
+    }
+    friend bool operator>(const FString& Lhs, const TCHAR* Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) > 0;
+    }
+    friend bool operator>=(const FString& Lhs, const FString& Rhs) {
+        return Lhs.Compare(Rhs, ESearchCase::IgnoreCase) >= 0;
+    }
     friend uint32 GetTypeHash(const FString& S) { return GetTypeHash(S.View()); }
 
 private:
@@ -330,9 +348,7 @@ static_assert(sizeof(FString) == sizeof(TArray<TCHAR>));
 
 template <>
 struct TIsContiguousContainer<FString> : UE::Core::Private::TBoolTrait<true> {};
-inline int32 GetNum(const FString& String) {
-    return String.Len();
-}
+inline int32 GetNum(const FString& String) { return String.Len(); }
 
 /** A value for FString::Format. */
 struct FStringFormatArg {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
  * Delegates: DECLARE_DELEGATE*, DECLARE_MULTICAST_DELEGATE*, DECLARE_EVENT*, TDelegate, TMulticastDelegate.
- * The dynamic ones, which reflection knows, belong to the CoreUObject module. See Epic's "Delegates and Lambda Functions".
+ * The dynamic ones, which reflection knows, belong to the CoreUObject module. See Epic's "Delegates and Lambda
+ * Functions".
  */
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/** What a delegate holds: a callable, the object it belongs to (held strongly, weakly or not at all) and bound arguments. */
+/** What a delegate holds: a callable, the object it belongs to (held strongly, weakly or not at all) and bound
+ * arguments. */
 #pragma once
 
 #include <atomic>
@@ -148,4 +149,4 @@ public:
 private:
     const InstanceType* Instance = nullptr;
 };
-}  // namespace UE::Core::Private::Delegates
+} // namespace UE::Core::Private::Delegates

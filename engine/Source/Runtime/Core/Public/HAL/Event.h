@@ -17,8 +17,10 @@ public:
     bool Wait() { return Wait(MAX_uint32); }
     bool Wait(const FTimespan& WaitTime, bool bIgnoreThreadIdleStats = false) {
         const double Milliseconds = WaitTime.GetTotalMilliseconds();
-        return Wait(Milliseconds >= static_cast<double>(MAX_uint32) ? MAX_uint32 : static_cast<uint32>(Milliseconds < 0 ? 0 : Milliseconds),
-                    bIgnoreThreadIdleStats);
+        return Wait(Milliseconds >= static_cast<double>(MAX_uint32)
+                        ? MAX_uint32
+                        : static_cast<uint32>(Milliseconds < 0 ? 0 : Milliseconds),
+            bIgnoreThreadIdleStats);
     }
 };
 

@@ -49,16 +49,17 @@ enum EConsoleVariableFlags : uint32 {
 CORE_API const TCHAR* GetConsoleVariableSetByName(EConsoleVariableFlags InSetBy);
 
 DECLARE_DELEGATE_OneParam(FConsoleVariableDelegate, IConsoleVariable*)
-DECLARE_MULTICAST_DELEGATE_OneParam(FConsoleVariableMulticastDelegate, IConsoleVariable*)
-DECLARE_DELEGATE(FConsoleCommandDelegate)
-DECLARE_DELEGATE_OneParam(FConsoleCommandWithArgsDelegate, const TArray<FString>&)
-DECLARE_DELEGATE_OneParam(FConsoleCommandWithWorldDelegate, UWorld*)
-DECLARE_DELEGATE_TwoParams(FConsoleCommandWithWorldAndArgsDelegate, const TArray<FString>&, UWorld*)
-DECLARE_DELEGATE_ThreeParams(FConsoleCommandWithWorldArgsAndOutputDeviceDelegate, const TArray<FString>&, UWorld*, FOutputDevice&)
-DECLARE_DELEGATE_OneParam(FConsoleCommandWithOutputDeviceDelegate, FOutputDevice&)
-DECLARE_DELEGATE_TwoParams(FConsoleObjectVisitor, const TCHAR*, class IConsoleObject*)
+    DECLARE_MULTICAST_DELEGATE_OneParam(FConsoleVariableMulticastDelegate, IConsoleVariable*)
+        DECLARE_DELEGATE(FConsoleCommandDelegate)
+            DECLARE_DELEGATE_OneParam(FConsoleCommandWithArgsDelegate, const TArray<FString>&)
+                DECLARE_DELEGATE_OneParam(FConsoleCommandWithWorldDelegate, UWorld*)
+                    DECLARE_DELEGATE_TwoParams(FConsoleCommandWithWorldAndArgsDelegate, const TArray<FString>&, UWorld*)
+                        DECLARE_DELEGATE_ThreeParams(FConsoleCommandWithWorldArgsAndOutputDeviceDelegate,
+                            const TArray<FString>&, UWorld*, FOutputDevice&)
+                            DECLARE_DELEGATE_OneParam(FConsoleCommandWithOutputDeviceDelegate, FOutputDevice&)
+                                DECLARE_DELEGATE_TwoParams(FConsoleObjectVisitor, const TCHAR*, class IConsoleObject*)
 
-class IConsoleObject {
+                                    class IConsoleObject {
 public:
     virtual ~IConsoleObject() = default;
     virtual const TCHAR* GetHelp() const = 0;
@@ -66,7 +67,9 @@ public:
     virtual EConsoleVariableFlags GetFlags() const = 0;
     virtual void SetFlags(const EConsoleVariableFlags Value) = 0;
     virtual void ClearFlags(const EConsoleVariableFlags Value) = 0;
-    bool TestFlags(const EConsoleVariableFlags Value) const { return (static_cast<uint32>(GetFlags()) & static_cast<uint32>(Value)) != 0; }
+    bool TestFlags(const EConsoleVariableFlags Value) const {
+        return (static_cast<uint32>(GetFlags()) & static_cast<uint32>(Value)) != 0;
+    }
     virtual IConsoleVariable* AsVariable() { return nullptr; }
     virtual bool IsVariableBool() const { return false; }
     virtual bool IsVariableInt() const { return false; }
@@ -79,9 +82,13 @@ class IConsoleVariable : public IConsoleObject {
 public:
     /** The value as text is converted to the variable's type. The priority is in SetBy. */
     virtual void Set(const TCHAR* InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) = 0;
-    void Set(bool InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) { Set(InValue ? TEXT("1") : TEXT("0"), SetBy); }
+    void Set(bool InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) {
+        Set(InValue ? TEXT("1") : TEXT("0"), SetBy);
+    }
     void Set(int32 InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) { Set(*FString::FromInt(InValue), SetBy); }
-    void Set(float InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) { Set(*FString::Printf(TEXT("%.9g"), static_cast<double>(InValue)), SetBy); }
+    void Set(float InValue, EConsoleVariableFlags SetBy = ECVF_SetByCode) {
+        Set(*FString::Printf(TEXT("%.9g"), static_cast<double>(InValue)), SetBy);
+    }
     /** With the priority the variable has now, so that it is never refused. */
     void SetWithCurrentPriority(bool InValue) { Set(InValue, CurrentPriority()); }
     void SetWithCurrentPriority(int32 InValue) { Set(InValue, CurrentPriority()); }
@@ -98,7 +105,8 @@ public:
 
 private:
     EConsoleVariableFlags CurrentPriority() const {
-        return static_cast<EConsoleVariableFlags>(static_cast<uint32>(GetFlags()) & static_cast<uint32>(ECVF_SetByMask));
+        return static_cast<EConsoleVariableFlags>(
+            static_cast<uint32>(GetFlags()) & static_cast<uint32>(ECVF_SetByMask));
     }
 };
 
@@ -114,22 +122,37 @@ public:
     virtual ~IConsoleManager() = default;
 
     /** If a variable of that name exists, it gets the new help and keeps its value. */
-    virtual IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, bool DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, int32 DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, float DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, const TCHAR* DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariable(const TCHAR* Name, const FString& DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariable(
+        const TCHAR* Name, bool DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariable(
+        const TCHAR* Name, int32 DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariable(
+        const TCHAR* Name, float DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariable(
+        const TCHAR* Name, const TCHAR* DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariable(
+        const TCHAR* Name, const FString& DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
     /** Over a variable of the caller, which must outlive the registration. */
-    virtual IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, bool& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, int32& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, float& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleVariable* RegisterConsoleVariableRef(const TCHAR* Name, FString& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithArgsDelegate& Command, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithWorldDelegate& Command, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithWorldAndArgsDelegate& Command, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithWorldArgsAndOutputDeviceDelegate& Command, uint32 Flags = ECVF_Default) = 0;
-    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help, const FConsoleCommandWithOutputDeviceDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariableRef(
+        const TCHAR* Name, bool& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariableRef(
+        const TCHAR* Name, int32& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariableRef(
+        const TCHAR* Name, float& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleVariable* RegisterConsoleVariableRef(
+        const TCHAR* Name, FString& RefValue, const TCHAR* Help, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(
+        const TCHAR* Name, const TCHAR* Help, const FConsoleCommandDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+        const FConsoleCommandWithArgsDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+        const FConsoleCommandWithWorldDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+        const FConsoleCommandWithWorldAndArgsDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+        const FConsoleCommandWithWorldArgsAndOutputDeviceDelegate& Command, uint32 Flags = ECVF_Default) = 0;
+    virtual IConsoleCommand* RegisterConsoleCommand(const TCHAR* Name, const TCHAR* Help,
+        const FConsoleCommandWithOutputDeviceDelegate& Command, uint32 Flags = ECVF_Default) = 0;
 
     virtual void UnregisterConsoleObject(IConsoleObject* Object, bool bKeepState = false) = 0;
     virtual void UnregisterConsoleObject(const TCHAR* Name, bool bKeepState = false) = 0;
@@ -139,8 +162,10 @@ public:
     virtual FString FindConsoleObjectName(const IConsoleObject* Object) const = 0;
     bool IsNameRegistered(const TCHAR* Name) const { return FindConsoleObject(Name) != nullptr; }
     /** In alphabetical order. */
-    virtual void ForEachConsoleObjectThatStartsWith(const FConsoleObjectVisitor& Visitor, const TCHAR* ThatStartsWith = TEXT("")) const = 0;
-    virtual void ForEachConsoleObjectThatContains(const FConsoleObjectVisitor& Visitor, const TCHAR* ThatContains) const = 0;
+    virtual void ForEachConsoleObjectThatStartsWith(
+        const FConsoleObjectVisitor& Visitor, const TCHAR* ThatStartsWith = TEXT("")) const = 0;
+    virtual void ForEachConsoleObjectThatContains(
+        const FConsoleObjectVisitor& Visitor, const TCHAR* ThatContains) const = 0;
     /** "name", "name ?", "name value" of variables; "name args" of commands. False if there is no such thing. */
     virtual bool ProcessUserConsoleInput(const TCHAR* InInput, FOutputDevice& Ar, UWorld* InWorld) = 0;
     /** Sinks are told once after a number of changes: the engine loop calls this each frame. */
@@ -171,7 +196,7 @@ public:
         : FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleVariable(Name, DefaultValue, Help, Flags)) {}
     template <typename T>
     FAutoConsoleVariable(const TCHAR* Name, T DefaultValue, const TCHAR* Help, const FConsoleVariableDelegate& Callback,
-                         uint32 Flags = ECVF_Default)
+        uint32 Flags = ECVF_Default)
         : FAutoConsoleVariable(Name, DefaultValue, Help, Flags) {
         AsVariable()->SetOnChangedCallback(Callback);
     }
@@ -180,16 +205,18 @@ public:
     IConsoleVariable& operator*() { return *AsVariable(); }
 };
 
-/** `static TAutoConsoleVariable<int32> CVarFoo(TEXT("foo.Bar"), 1, TEXT("Help"));` T is bool, int32, float or FString. */
+/** `static TAutoConsoleVariable<int32> CVarFoo(TEXT("foo.Bar"), 1, TEXT("Help"));` T is bool, int32, float or FString.
+ */
 template <class T>
 class TAutoConsoleVariable : public FAutoConsoleVariable {
 public:
     template <typename ValueType>
-    TAutoConsoleVariable(const TCHAR* Name, const ValueType& DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default)
+    TAutoConsoleVariable(
+        const TCHAR* Name, const ValueType& DefaultValue, const TCHAR* Help, uint32 Flags = ECVF_Default)
         : FAutoConsoleVariable(Name, Convert(DefaultValue), Help, Flags) {}
     template <typename ValueType>
-    TAutoConsoleVariable(const TCHAR* Name, const ValueType& DefaultValue, const TCHAR* Help, const FConsoleVariableDelegate& Callback,
-                         uint32 Flags = ECVF_Default)
+    TAutoConsoleVariable(const TCHAR* Name, const ValueType& DefaultValue, const TCHAR* Help,
+        const FConsoleVariableDelegate& Callback, uint32 Flags = ECVF_Default)
         : FAutoConsoleVariable(Name, Convert(DefaultValue), Help, Callback, Flags) {}
     T GetValueOnGameThread() const { return GetValue(); }
     T GetValueOnRenderThread() const { return GetValue(); }
@@ -222,7 +249,7 @@ public:
         : FAutoConsoleObject(IConsoleManager::Get().RegisterConsoleVariableRef(Name, RefValue, Help, Flags)) {}
     template <typename T>
     FAutoConsoleVariableRef(const TCHAR* Name, T& RefValue, const TCHAR* Help, const FConsoleVariableDelegate& Callback,
-                            uint32 Flags = ECVF_Default)
+        uint32 Flags = ECVF_Default)
         : FAutoConsoleVariableRef(Name, RefValue, Help, Flags) {
         AsVariable()->SetOnChangedCallback(Callback);
     }
@@ -241,6 +268,7 @@ UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommand, FConsoleCommandDelegate)
 UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommandWithArgs, FConsoleCommandWithArgsDelegate)
 UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommandWithWorld, FConsoleCommandWithWorldDelegate)
 UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommandWithWorldAndArgs, FConsoleCommandWithWorldAndArgsDelegate)
-UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommandWithWorldArgsAndOutputDevice, FConsoleCommandWithWorldArgsAndOutputDeviceDelegate)
+UE_AUTO_CONSOLE_COMMAND(
+    FAutoConsoleCommandWithWorldArgsAndOutputDevice, FConsoleCommandWithWorldArgsAndOutputDeviceDelegate)
 UE_AUTO_CONSOLE_COMMAND(FAutoConsoleCommandWithOutputDevice, FConsoleCommandWithOutputDeviceDelegate)
 #undef UE_AUTO_CONSOLE_COMMAND

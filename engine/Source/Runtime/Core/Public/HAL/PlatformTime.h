@@ -17,9 +17,9 @@ struct FGenericPlatformTime {
     static double ToSeconds(uint32 InCycles) { return static_cast<double>(InCycles) * 1e-9; }
     static double ToSeconds64(uint64 InCycles) { return static_cast<double>(InCycles) * 1e-9; }
     static uint64 SecondsToCycles64(double Seconds) { return static_cast<uint64>(Seconds * 1e9); }
-    static CORE_API void SystemTime(int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec,
-                                    int32& MSec);
-    static CORE_API void UtcTime(int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec,
-                                 int32& MSec);
+    static CORE_API void SystemTime(
+        int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec);
+    static CORE_API void UtcTime(
+        int32& Year, int32& Month, int32& DayOfWeek, int32& Day, int32& Hour, int32& Min, int32& Sec, int32& MSec);
 };
 typedef FGenericPlatformTime FPlatformTime;

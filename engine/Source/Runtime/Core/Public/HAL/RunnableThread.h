@@ -18,9 +18,10 @@ enum EThreadPriority {
 
 class FRunnableThread {
 public:
-    /** Starts a thread; null if that fails or Init says no. Priority and affinity are hints that this engine does not use. */
+    /** Starts a thread; null if that fails or Init says no. Priority and affinity are hints that this engine does not
+     * use. */
     static CORE_API FRunnableThread* Create(FRunnable* InRunnable, const TCHAR* ThreadName, uint32 InStackSize = 0,
-                                            EThreadPriority InThreadPri = TPri_Normal, uint64 InThreadAffinityMask = ~0ull);
+        EThreadPriority InThreadPri = TPri_Normal, uint64 InThreadAffinityMask = ~0ull);
     virtual ~FRunnableThread() = default;
     /** Calls Stop and, if asked, waits for the end. */
     virtual bool Kill(bool bShouldWait = true) = 0;

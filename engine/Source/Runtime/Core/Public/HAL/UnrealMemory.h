@@ -17,12 +17,16 @@ struct FMemory {
     static CORE_API void Free(void* Original);
     /** Usable size of a block of this heap. */
     static CORE_API SIZE_T GetAllocSize(void* Original);
-    static SIZE_T QuantizeSize(SIZE_T Count, uint32 /*Alignment*/ = DEFAULT_ALIGNMENT) { return (Count + 15) & ~SIZE_T(15); }
+    static SIZE_T QuantizeSize(SIZE_T Count, uint32 /*Alignment*/ = DEFAULT_ALIGNMENT) {
+        return (Count + 15) & ~SIZE_T(15);
+    }
 
     static void* SystemMalloc(SIZE_T Size) { return Malloc(Size); }
     static void SystemFree(void* Ptr) { Free(Ptr); }
 
-    static void* Memmove(void* Dest, const void* Src, SIZE_T Count) { return Count ? std::memmove(Dest, Src, Count) : Dest; }
+    static void* Memmove(void* Dest, const void* Src, SIZE_T Count) {
+        return Count ? std::memmove(Dest, Src, Count) : Dest;
+    }
     static int32 Memcmp(const void* Buf1, const void* Buf2, SIZE_T Count) {
         return Count ? std::memcmp(Buf1, Buf2, Count) : 0;
     }
@@ -36,7 +40,9 @@ struct FMemory {
     static void Memzero(T& Src) {
         Memzero(static_cast<void*>(&Src), sizeof(T));
     }
-    static void* Memcpy(void* Dest, const void* Src, SIZE_T Count) { return Count ? std::memcpy(Dest, Src, Count) : Dest; }
+    static void* Memcpy(void* Dest, const void* Src, SIZE_T Count) {
+        return Count ? std::memcpy(Dest, Src, Count) : Dest;
+    }
     template <class T>
     static void Memcpy(T& Dest, const T& Src) {
         Memcpy(static_cast<void*>(&Dest), static_cast<const void*>(&Src), sizeof(T));
@@ -53,8 +59,9 @@ struct FMemory {
 };
 
 /** Stack memory for the current function. */
-#define FMemory_Alloca(Size) ((Size) == 0 ? nullptr : (void*)(((UPTRINT)__builtin_alloca((Size) + 15) + 15) & ~UPTRINT(15)))
+#define FMemory_Alloca(Size)                                                                                           \
+    ((Size) == 0 ? nullptr : (void*)(((UPTRINT)__builtin_alloca((Size) + 15) + 15) & ~UPTRINT(15)))
 #define FMemory_Alloca_Aligned(Size, Alignment)                                                                        \
     ((Size) == 0 ? nullptr                                                                                             \
-                 : (void*)(((UPTRINT)__builtin_alloca((Size) + (Alignment)-1) + (Alignment)-1) &                       \
-                           ~((UPTRINT)(Alignment)-1)))
+                 : (void*)(((UPTRINT)__builtin_alloca((Size) + (Alignment) - 1) + (Alignment) - 1) &                   \
+                           ~((UPTRINT)(Alignment) - 1)))

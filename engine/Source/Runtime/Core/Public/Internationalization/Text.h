@@ -61,12 +61,20 @@ public:
         static const FText Empty;
         return Empty;
     }
-    [[nodiscard]] static FText FromString(const FString& String) { return FText(FString(String), ETextFlag::InitializedFromString); }
-    [[nodiscard]] static FText FromString(FString&& String) { return FText(MoveTemp(String), ETextFlag::InitializedFromString); }
+    [[nodiscard]] static FText FromString(const FString& String) {
+        return FText(FString(String), ETextFlag::InitializedFromString);
+    }
+    [[nodiscard]] static FText FromString(FString&& String) {
+        return FText(MoveTemp(String), ETextFlag::InitializedFromString);
+    }
     [[nodiscard]] static FText FromStringView(FStringView String) { return FromString(FString(String)); }
     [[nodiscard]] static FText FromName(const FName& Name) { return FromString(Name.ToString()); }
-    [[nodiscard]] static FText AsCultureInvariant(const FString& String) { return FText(FString(String), ETextFlag::CultureInvariant); }
-    [[nodiscard]] static FText AsCultureInvariant(FString&& String) { return FText(MoveTemp(String), ETextFlag::CultureInvariant); }
+    [[nodiscard]] static FText AsCultureInvariant(const FString& String) {
+        return FText(FString(String), ETextFlag::CultureInvariant);
+    }
+    [[nodiscard]] static FText AsCultureInvariant(FString&& String) {
+        return FText(MoveTemp(String), ETextFlag::CultureInvariant);
+    }
 
     template <typename T>
         requires std::is_arithmetic_v<T>
@@ -97,7 +105,9 @@ public:
     int32 CompareTo(const FText& Other, ETextComparisonLevel::Type = ETextComparisonLevel::Default) const {
         return ToString().Compare(Other.ToString(), ESearchCase::CaseSensitive);
     }
-    int32 CompareToCaseIgnored(const FText& Other) const { return ToString().Compare(Other.ToString(), ESearchCase::IgnoreCase); }
+    int32 CompareToCaseIgnored(const FText& Other) const {
+        return ToString().Compare(Other.ToString(), ESearchCase::IgnoreCase);
+    }
     bool EqualTo(const FText& Other, ETextComparisonLevel::Type Level = ETextComparisonLevel::Default) const {
         return CompareTo(Other, Level) == 0;
     }
@@ -115,12 +125,14 @@ public:
     [[nodiscard]] static FText FormatOrdered(const FText& Fmt, TArguments&&... Args);
     template <typename RangeType>
     [[nodiscard]] static FText Join(const FText& Delimiter, const RangeType& Args) {
-        return FromString(FString::JoinBy(Args, *Delimiter.ToString(), [](const FText& Text) { return Text.ToString(); }));
+        return FromString(
+            FString::JoinBy(Args, *Delimiter.ToString(), [](const FText& Text) { return Text.ToString(); }));
     }
 
 private:
     FText(FString&& InString, ETextFlag InFlags)
-        : TextData(InString.IsEmpty() ? TSharedPtr<const FString>() : TSharedPtr<const FString>(new FString(MoveTemp(InString)))),
+        : TextData(InString.IsEmpty() ? TSharedPtr<const FString>()
+                                      : TSharedPtr<const FString>(new FString(MoveTemp(InString)))),
           Flags(InFlags) {}
     static CORE_API FText AsNumberImpl(double Value, const FNumberFormattingOptions* Options);
     static CORE_API FText AsNumberImpl(int64 Value, const FNumberFormattingOptions* Options);
@@ -157,12 +169,8 @@ FText FText::FormatOrdered(const FText& Fmt, TArguments&&... Args) {
     return Format(Fmt, Forward<TArguments>(Args)...);
 }
 
-inline FString LexToString(const FText& Value) {
-    return Value.ToString();
-}
-inline void LexFromString(FText& OutValue, const TCHAR* Buffer) {
-    OutValue = FText::FromString(FString(Buffer));
-}
+inline FString LexToString(const FText& Value) { return Value.ToString(); }
+inline void LexFromString(FText& OutValue, const TCHAR* Buffer) { OutValue = FText::FromString(FString(Buffer)); }
 
 /** Localisable literals. Namespace and key are for tools; this engine shows the source text. */
 #define NSLOCTEXT(InNamespace, InKey, InTextLiteral) FText::FromString(FString(TEXT(InTextLiteral)))

@@ -9,7 +9,7 @@ using FLogCategoryName = FName;
 
 struct FLogCategoryBase {
     CORE_API FLogCategoryBase(const FLogCategoryName& InCategoryName, ELogVerbosity::Type InDefaultVerbosity,
-                              ELogVerbosity::Type InCompileTimeVerbosity);
+        ELogVerbosity::Type InCompileTimeVerbosity);
     CORE_API ~FLogCategoryBase();
     UE_NONCOPYABLE(FLogCategoryBase)
 

@@ -6,17 +6,17 @@
 
 struct FMsg {
     template <typename FmtType, typename... Types>
-    static void Logf(const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity, const FmtType& Fmt,
-                     Types... Args) {
+    static void Logf(const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity,
+        const FmtType& Fmt, Types... Args) {
         static_assert(std::is_convertible_v<const FmtType&, const TCHAR*>, "Formatting string must be a TCHAR array.");
         static_assert((UE::Core::Private::TIsPrintfArgument<Types> && ...),
-                      "Invalid argument(s) passed to UE_LOG; pass strings as *Str");
+            "Invalid argument(s) passed to UE_LOG; pass strings as *Str");
         LogfImpl(File, Line, Category, Verbosity, Fmt, Args...);
     }
 
 private:
-    static CORE_API void LogfImpl(const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity,
-                                  const TCHAR* Fmt, ...);
+    static CORE_API void LogfImpl(
+        const ANSICHAR* File, int32 Line, const FName& Category, ELogVerbosity::Type Verbosity, const TCHAR* Fmt, ...);
 };
 
 #define DECLARE_LOG_CATEGORY_EXTERN(CategoryName, DefaultVerbosity, CompileTimeVerbosity)                              \
@@ -45,7 +45,7 @@ private:
                       std::remove_cvref_t<decltype(CategoryName)>::CompileTimeVerbosity) {                             \
             if (!(CategoryName).IsSuppressed(ELogVerbosity::Verbosity)) {                                              \
                 FMsg::Logf(__FILE__, __LINE__, (CategoryName).GetCategoryName(), ELogVerbosity::Verbosity, Format,     \
-                           ##__VA_ARGS__);                                                                             \
+                    ##__VA_ARGS__);                                                                                    \
             }                                                                                                          \
             if constexpr (ELogVerbosity::Verbosity == ELogVerbosity::Fatal) {                                          \
                 __builtin_unreachable();                                                                               \

@@ -21,7 +21,7 @@ enum Type : uint8 {
     SetColor = 0x40,
     BreakOnLog = 0x80
 };
-}  // namespace ELogVerbosity
+} // namespace ELogVerbosity
 
 /** "Warning" and so on. */
 CORE_API const TCHAR* ToString(ELogVerbosity::Type Verbosity);

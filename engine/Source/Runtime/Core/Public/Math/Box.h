@@ -26,7 +26,9 @@ struct TBox {
     template <typename A>
         requires(!std::is_same_v<A, T>)
     explicit TBox(const TBox<A>& From) : Min(From.Min), Max(From.Max), IsValid(From.IsValid) {}
-    static TBox BuildAABB(const TVector<T>& Origin, const TVector<T>& Extent) { return TBox(Origin - Extent, Origin + Extent); }
+    static TBox BuildAABB(const TVector<T>& Origin, const TVector<T>& Extent) {
+        return TBox(Origin - Extent, Origin + Extent);
+    }
 
     void Init() { *this = TBox(); }
     bool operator==(const TBox& Other) const {
@@ -60,7 +62,9 @@ struct TBox {
         check(Index == 0 || Index == 1);
         return Index == 0 ? Min : Max;
     }
-    T ComputeSquaredDistanceToPoint(const TVector<T>& Point) const { return (Point - GetClosestPointTo(Point)).SizeSquared(); }
+    T ComputeSquaredDistanceToPoint(const TVector<T>& Point) const {
+        return (Point - GetClosestPointTo(Point)).SizeSquared();
+    }
     TBox ExpandBy(T W) const { return TBox(Min - TVector<T>(W), Max + TVector<T>(W)); }
     TBox ExpandBy(const TVector<T>& V) const { return TBox(Min - V, Max + V); }
     TBox ShiftBy(const TVector<T>& Offset) const { return TBox(Min + Offset, Max + Offset); }
@@ -77,14 +81,20 @@ struct TBox {
     TVector<T> GetClosestPointTo(const TVector<T>& Point) const { return Point.BoundToBox(Min, Max); }
     void GetVertices(TVector<T> (&Vertices)[8]) const {
         for (int32 Index = 0; Index < 8; ++Index) {
-            Vertices[Index] = TVector<T>(Index & 1 ? Max.X : Min.X, Index & 2 ? Max.Y : Min.Y, Index & 4 ? Max.Z : Min.Z);
+            Vertices[Index] =
+                TVector<T>(Index & 1 ? Max.X : Min.X, Index & 2 ? Max.Y : Min.Y, Index & 4 ? Max.Z : Min.Z);
         }
     }
     bool Intersect(const TBox& O) const {
-        return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y || Min.Z > O.Max.Z || O.Min.Z > Max.Z);
+        return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y || Min.Z > O.Max.Z ||
+                 O.Min.Z > Max.Z);
     }
-    bool IntersectXY(const TBox& O) const { return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y); }
-    TBox Overlap(const TBox& O) const { return Intersect(O) ? TBox(Min.ComponentMax(O.Min), Max.ComponentMin(O.Max)) : TBox(); }
+    bool IntersectXY(const TBox& O) const {
+        return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y);
+    }
+    TBox Overlap(const TBox& O) const {
+        return Intersect(O) ? TBox(Min.ComponentMax(O.Min), Max.ComponentMin(O.Max)) : TBox();
+    }
     /** Strictly inside. */
     bool IsInside(const TVector<T>& P) const {
         return P.X > Min.X && P.X < Max.X && P.Y > Min.Y && P.Y < Max.Y && P.Z > Min.Z && P.Z < Max.Z;
@@ -94,7 +104,9 @@ struct TBox {
     }
     bool IsInside(const TBox& Other) const { return IsInside(Other.Min) && IsInside(Other.Max); }
     bool IsInsideXY(const TVector<T>& P) const { return P.X > Min.X && P.X < Max.X && P.Y > Min.Y && P.Y < Max.Y; }
-    TBox TransformBy(const TTransform<T>& M) const { return Transformed([&](const TVector<T>& P) { return M.TransformPosition(P); }); }
+    TBox TransformBy(const TTransform<T>& M) const {
+        return Transformed([&](const TVector<T>& P) { return M.TransformPosition(P); });
+    }
     TBox TransformBy(const TMatrix<T>& M) const {
         return Transformed([&](const TVector<T>& P) { return TVector<T>(M.TransformPosition(P)); });
     }
@@ -102,8 +114,8 @@ struct TBox {
         return Transformed([&](const TVector<T>& P) { return M.InverseTransformPosition(P); });
     }
     FString ToString() const {
-        return FString::Printf(TEXT("IsValid=%s, Min=(%s), Max=(%s)"), IsValid ? TEXT("true") : TEXT("false"), *Min.ToString(),
-                               *Max.ToString());
+        return FString::Printf(TEXT("IsValid=%s, Min=(%s), Max=(%s)"), IsValid ? TEXT("true") : TEXT("false"),
+            *Min.ToString(), *Max.ToString());
     }
     friend uint32 GetTypeHash(const TBox& Box) { return HashCombine(GetTypeHash(Box.Min), GetTypeHash(Box.Max)); }
 
@@ -122,4 +134,4 @@ private:
         return Result;
     }
 };
-}  // namespace UE::Math
+} // namespace UE::Math

@@ -38,11 +38,13 @@ struct TBox2 {
     TVector2<T> GetCenter() const { return (Min + Max) * T(0.5); }
     TVector2<T> GetExtent() const { return (Max - Min) * T(0.5); }
     TVector2<T> GetSize() const { return Max - Min; }
-    bool Intersect(const TBox2& O) const { return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y); }
+    bool Intersect(const TBox2& O) const {
+        return !(Min.X > O.Max.X || O.Min.X > Max.X || Min.Y > O.Max.Y || O.Min.Y > Max.Y);
+    }
     bool IsInside(const TVector2<T>& P) const { return P.X > Min.X && P.X < Max.X && P.Y > Min.Y && P.Y < Max.Y; }
     FString ToString() const {
-        return FString::Printf(TEXT("bIsValid=%s, Min=(%s), Max=(%s)"), bIsValid ? TEXT("true") : TEXT("false"), *Min.ToString(),
-                               *Max.ToString());
+        return FString::Printf(TEXT("bIsValid=%s, Min=(%s), Max=(%s)"), bIsValid ? TEXT("true") : TEXT("false"),
+            *Min.ToString(), *Max.ToString());
     }
 };
-}  // namespace UE::Math
+} // namespace UE::Math

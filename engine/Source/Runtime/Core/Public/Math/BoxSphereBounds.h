@@ -24,7 +24,8 @@ struct TBoxSphereBounds {
         Box.GetCenterAndExtents(Origin, BoxExtent);
         SphereRadius = BoxExtent.Size();
     }
-    explicit TBoxSphereBounds(const TSphere<T>& Sphere) : Origin(Sphere.Center), BoxExtent(Sphere.W), SphereRadius(Sphere.W) {}
+    explicit TBoxSphereBounds(const TSphere<T>& Sphere)
+        : Origin(Sphere.Center), BoxExtent(Sphere.W), SphereRadius(Sphere.W) {}
     TBoxSphereBounds(const TVector<T>* Points, uint32 NumPoints) : TBoxSphereBounds() {
         const TBox<T> Box(Points, static_cast<int32>(NumPoints));
         Box.GetCenterAndExtents(Origin, BoxExtent);
@@ -47,7 +48,9 @@ struct TBoxSphereBounds {
     TBox<T> GetBox() const { return TBox<T>(Origin - BoxExtent, Origin + BoxExtent); }
     TSphere<T> GetSphere() const { return TSphere<T>(Origin, SphereRadius); }
     TVector<T> GetBoxExtrema(uint32 Extrema) const { return Extrema ? Origin + BoxExtent : Origin - BoxExtent; }
-    T ComputeSquaredDistanceFromBoxToPoint(const TVector<T>& Point) const { return GetBox().ComputeSquaredDistanceToPoint(Point); }
+    T ComputeSquaredDistanceFromBoxToPoint(const TVector<T>& Point) const {
+        return GetBox().ComputeSquaredDistanceToPoint(Point);
+    }
     TBoxSphereBounds ExpandBy(T Amount) const {
         return TBoxSphereBounds(Origin, BoxExtent + TVector<T>(Amount), SphereRadius + Amount);
     }
@@ -61,14 +64,20 @@ struct TBoxSphereBounds {
         Result.SphereRadius = FMath::Min(Result.BoxExtent.Size(), SphereRadius * M.GetMaximumAxisScale());
         return Result;
     }
-    static bool SpheresIntersect(const TBoxSphereBounds& A, const TBoxSphereBounds& B, T Tolerance = UE_KINDA_SMALL_NUMBER) {
-        return (A.Origin - B.Origin).SizeSquared() <= FMath::Square(FMath::Max(T(0), A.SphereRadius + B.SphereRadius + Tolerance));
+    static bool SpheresIntersect(
+        const TBoxSphereBounds& A, const TBoxSphereBounds& B, T Tolerance = UE_KINDA_SMALL_NUMBER) {
+        return (A.Origin - B.Origin).SizeSquared() <=
+               FMath::Square(FMath::Max(T(0), A.SphereRadius + B.SphereRadius + Tolerance));
     }
-    static bool BoxesIntersect(const TBoxSphereBounds& A, const TBoxSphereBounds& B) { return A.GetBox().Intersect(B.GetBox()); }
-    bool ContainsNaN() const { return Origin.ContainsNaN() || BoxExtent.ContainsNaN() || !FMath::IsFinite(SphereRadius); }
+    static bool BoxesIntersect(const TBoxSphereBounds& A, const TBoxSphereBounds& B) {
+        return A.GetBox().Intersect(B.GetBox());
+    }
+    bool ContainsNaN() const {
+        return Origin.ContainsNaN() || BoxExtent.ContainsNaN() || !FMath::IsFinite(SphereRadius);
+    }
     FString ToString() const {
-        return FString::Printf(TEXT("Origin=%s, BoxExtent=(%s), SphereRadius=(%f)"), *Origin.ToString(), *BoxExtent.ToString(),
-                               static_cast<double>(SphereRadius));
+        return FString::Printf(TEXT("Origin=%s, BoxExtent=(%s), SphereRadius=(%f)"), *Origin.ToString(),
+            *BoxExtent.ToString(), static_cast<double>(SphereRadius));
     }
 };
-}  // namespace UE::Math
+} // namespace UE::Math

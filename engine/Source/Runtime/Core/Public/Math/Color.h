@@ -16,13 +16,21 @@ struct FLinearColor {
     /** Undoes the sRGB encoding. */
     CORE_API FLinearColor(const FColor& Color);
     template <typename T>
-    explicit constexpr FLinearColor(const UE::Math::TVector<T>& V) : R(float(V.X)), G(float(V.Y)), B(float(V.Z)), A(1) {}
+    explicit constexpr FLinearColor(const UE::Math::TVector<T>& V)
+        : R(float(V.X)), G(float(V.Y)), B(float(V.Z)), A(1) {}
     template <typename T>
-    explicit constexpr FLinearColor(const UE::Math::TVector4<T>& V) : R(float(V.X)), G(float(V.Y)), B(float(V.Z)), A(float(V.W)) {}
+    explicit constexpr FLinearColor(const UE::Math::TVector4<T>& V)
+        : R(float(V.X)), G(float(V.Y)), B(float(V.Z)), A(float(V.W)) {}
 
-    constexpr FLinearColor operator+(const FLinearColor& O) const { return FLinearColor(R + O.R, G + O.G, B + O.B, A + O.A); }
-    constexpr FLinearColor operator-(const FLinearColor& O) const { return FLinearColor(R - O.R, G - O.G, B - O.B, A - O.A); }
-    constexpr FLinearColor operator*(const FLinearColor& O) const { return FLinearColor(R * O.R, G * O.G, B * O.B, A * O.A); }
+    constexpr FLinearColor operator+(const FLinearColor& O) const {
+        return FLinearColor(R + O.R, G + O.G, B + O.B, A + O.A);
+    }
+    constexpr FLinearColor operator-(const FLinearColor& O) const {
+        return FLinearColor(R - O.R, G - O.G, B - O.B, A - O.A);
+    }
+    constexpr FLinearColor operator*(const FLinearColor& O) const {
+        return FLinearColor(R * O.R, G * O.G, B * O.B, A * O.A);
+    }
     constexpr FLinearColor operator*(float S) const { return FLinearColor(R * S, G * S, B * S, A * S); }
     constexpr FLinearColor operator/(float S) const { return *this * (1.0f / S); }
     friend constexpr FLinearColor operator*(float S, const FLinearColor& C) { return C * S; }
@@ -33,12 +41,12 @@ struct FLinearColor {
     FLinearColor& operator/=(float S) { return *this = *this / S; }
     constexpr bool operator==(const FLinearColor& O) const { return R == O.R && G == O.G && B == O.B && A == O.A; }
     bool Equals(const FLinearColor& O, float Tolerance = UE_KINDA_SMALL_NUMBER) const {
-        return FMath::Abs(R - O.R) <= Tolerance && FMath::Abs(G - O.G) <= Tolerance && FMath::Abs(B - O.B) <= Tolerance &&
-               FMath::Abs(A - O.A) <= Tolerance;
+        return FMath::Abs(R - O.R) <= Tolerance && FMath::Abs(G - O.G) <= Tolerance &&
+               FMath::Abs(B - O.B) <= Tolerance && FMath::Abs(A - O.A) <= Tolerance;
     }
     FLinearColor GetClamped(float InMin = 0.0f, float InMax = 1.0f) const {
         return FLinearColor(FMath::Clamp(R, InMin, InMax), FMath::Clamp(G, InMin, InMax), FMath::Clamp(B, InMin, InMax),
-                            FMath::Clamp(A, InMin, InMax));
+            FMath::Clamp(A, InMin, InMax));
     }
     float& Component(int32 Index) {
         check(Index >= 0 && Index < 4);
@@ -74,14 +82,17 @@ struct FLinearColor {
         const FLinearColor D = V1 - V2;
         return FMath::Sqrt(D.R * D.R + D.G * D.G + D.B * D.B + D.A * D.A);
     }
-    bool IsAlmostBlack() const { return FMath::Square(R) < UE_DELTA && FMath::Square(G) < UE_DELTA && FMath::Square(B) < UE_DELTA; }
+    bool IsAlmostBlack() const {
+        return FMath::Square(R) < UE_DELTA && FMath::Square(G) < UE_DELTA && FMath::Square(B) < UE_DELTA;
+    }
     FString ToString() const {
-        return FString::Printf(TEXT("(R=%f,G=%f,B=%f,A=%f)"), static_cast<double>(R), static_cast<double>(G), static_cast<double>(B),
-                               static_cast<double>(A));
+        return FString::Printf(TEXT("(R=%f,G=%f,B=%f,A=%f)"), static_cast<double>(R), static_cast<double>(G),
+            static_cast<double>(B), static_cast<double>(A));
     }
     CORE_API bool InitFromString(const FString& InSourceString);
     friend uint32 GetTypeHash(const FLinearColor& C) {
-        return HashCombine(HashCombine(GetTypeHash(C.R), GetTypeHash(C.G)), HashCombine(GetTypeHash(C.B), GetTypeHash(C.A)));
+        return HashCombine(
+            HashCombine(GetTypeHash(C.R), GetTypeHash(C.G)), HashCombine(GetTypeHash(C.B), GetTypeHash(C.A)));
     }
 
     static CORE_API const FLinearColor White;
@@ -114,14 +125,26 @@ struct alignas(4) FColor {
     static CORE_API FColor FromHex(const FString& HexString);
     CORE_API FString ToHex() const;
     static FColor MakeRandomColor() { return FLinearColor::MakeRandomColor().ToFColor(true); }
-    static FColor MakeFromColorTemperature(float Temp) { return FLinearColor::MakeFromColorTemperature(Temp).ToFColor(true); }
+    static FColor MakeFromColorTemperature(float Temp) {
+        return FLinearColor::MakeFromColorTemperature(Temp).ToFColor(true);
+    }
     FLinearColor ReinterpretAsLinear() const { return FLinearColor::FromReinterpretedFColor(*this); }
     FColor WithAlpha(uint8 Alpha) const { return FColor(R, G, B, Alpha); }
-    constexpr uint32 ToPackedARGB() const { return (uint32(A) << 24) | (uint32(R) << 16) | (uint32(G) << 8) | uint32(B); }
-    constexpr uint32 ToPackedRGBA() const { return (uint32(R) << 24) | (uint32(G) << 16) | (uint32(B) << 8) | uint32(A); }
-    constexpr uint32 ToPackedBGRA() const { return (uint32(B) << 24) | (uint32(G) << 16) | (uint32(R) << 8) | uint32(A); }
-    constexpr uint32 ToPackedABGR() const { return (uint32(A) << 24) | (uint32(B) << 16) | (uint32(G) << 8) | uint32(R); }
-    FString ToString() const { return FString::Printf(TEXT("(R=%d,G=%d,B=%d,A=%d)"), int32(R), int32(G), int32(B), int32(A)); }
+    constexpr uint32 ToPackedARGB() const {
+        return (uint32(A) << 24) | (uint32(R) << 16) | (uint32(G) << 8) | uint32(B);
+    }
+    constexpr uint32 ToPackedRGBA() const {
+        return (uint32(R) << 24) | (uint32(G) << 16) | (uint32(B) << 8) | uint32(A);
+    }
+    constexpr uint32 ToPackedBGRA() const {
+        return (uint32(B) << 24) | (uint32(G) << 16) | (uint32(R) << 8) | uint32(A);
+    }
+    constexpr uint32 ToPackedABGR() const {
+        return (uint32(A) << 24) | (uint32(B) << 16) | (uint32(G) << 8) | uint32(R);
+    }
+    FString ToString() const {
+        return FString::Printf(TEXT("(R=%d,G=%d,B=%d,A=%d)"), int32(R), int32(G), int32(B), int32(A));
+    }
     CORE_API bool InitFromString(const FString& InSourceString);
     friend uint32 GetTypeHash(const FColor& C) { return C.ToPackedARGB(); }
 
@@ -140,16 +163,12 @@ struct alignas(4) FColor {
     static CORE_API const FColor Silver;
     static CORE_API const FColor Emerald;
 };
-inline FColor FLinearColor::ToFColorSRGB() const {
-    return ToFColor(true);
-}
-inline FColor FLinearColor::Quantize() const {
-    return QuantizeRound();
-}
+inline FColor FLinearColor::ToFColorSRGB() const { return ToFColor(true); }
+inline FColor FLinearColor::Quantize() const { return QuantizeRound(); }
 
 namespace UE::Math {
 template <typename T>
 constexpr TVector<T>::TVector(const FLinearColor& C) : X(T(C.R)), Y(T(C.G)), Z(T(C.B)) {}
 template <typename T>
 constexpr TVector4<T>::TVector4(const FLinearColor& C) : X(T(C.R)), Y(T(C.G)), Z(T(C.B)), W(T(C.A)) {}
-}  // namespace UE::Math
+} // namespace UE::Math

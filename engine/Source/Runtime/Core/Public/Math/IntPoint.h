@@ -65,4 +65,4 @@ template <typename T>
 inline constexpr TIntPoint<T> TIntPoint<T>::ZeroValue(0, 0);
 template <typename T>
 inline constexpr TIntPoint<T> TIntPoint<T>::NoneValue(static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE));
-}  // namespace UE::Math
+} // namespace UE::Math

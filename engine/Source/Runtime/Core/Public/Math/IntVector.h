@@ -24,7 +24,8 @@ struct TIntVector3 {
     explicit constexpr TIntVector3(EForceInit) : TIntVector3() {}
     template <typename A>
         requires(!std::is_same_v<A, T>)
-    explicit constexpr TIntVector3(const TIntVector3<A>& From) : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)) {}
+    explicit constexpr TIntVector3(const TIntVector3<A>& From)
+        : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)) {}
 
     T Size() const { return static_cast<T>(FMath::Sqrt(static_cast<double>(X * X + Y * Y + Z * Z))); }
 
@@ -48,18 +49,21 @@ struct TIntVector3 {
     T GetMin() const { return FMath::Min(X, FMath::Min(Y, Z)); }
     bool IsZero() const { return *this == TIntVector3(); }
     FString ToString() const {
-        return FString::Printf(TEXT("X=%lld Y=%lld Z=%lld"), static_cast<long long>(X), static_cast<long long>(Y), static_cast<long long>(Z));
+        return FString::Printf(TEXT("X=%lld Y=%lld Z=%lld"), static_cast<long long>(X), static_cast<long long>(Y),
+            static_cast<long long>(Z));
     }
     friend uint32 GetTypeHash(const TIntVector3& V) {
         uint32 Hash = GetTypeHash(V.X);
-        Hash = HashCombine(Hash, GetTypeHash(V.Y)); Hash = HashCombine(Hash, GetTypeHash(V.Z));
+        Hash = HashCombine(Hash, GetTypeHash(V.Y));
+        Hash = HashCombine(Hash, GetTypeHash(V.Z));
         return Hash;
     }
 };
 template <typename T>
 inline constexpr TIntVector3<T> TIntVector3<T>::ZeroValue(0, 0, 0);
 template <typename T>
-inline constexpr TIntVector3<T> TIntVector3<T>::NoneValue(static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE));
+inline constexpr TIntVector3<T> TIntVector3<T>::NoneValue(
+    static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE));
 
 template <typename T>
 struct TIntVector2 {
@@ -132,14 +136,25 @@ struct TIntVector4 {
     explicit constexpr TIntVector4(EForceInit) : TIntVector4() {}
     template <typename A>
         requires(!std::is_same_v<A, T>)
-    explicit constexpr TIntVector4(const TIntVector4<A>& From) : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)), W(static_cast<T>(From.W)) {}
+    explicit constexpr TIntVector4(const TIntVector4<A>& From)
+        : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)), W(static_cast<T>(From.W)) {}
 
-    constexpr TIntVector4 operator+(const TIntVector4& V) const { return TIntVector4(X + V.X, Y + V.Y, Z + V.Z, W + V.W); }
-    constexpr TIntVector4 operator-(const TIntVector4& V) const { return TIntVector4(X - V.X, Y - V.Y, Z - V.Z, W - V.W); }
-    constexpr TIntVector4 operator*(const TIntVector4& V) const { return TIntVector4(X * V.X, Y * V.Y, Z * V.Z, W * V.W); }
-    constexpr TIntVector4 operator/(const TIntVector4& V) const { return TIntVector4(X / V.X, Y / V.Y, Z / V.Z, W / V.W); }
+    constexpr TIntVector4 operator+(const TIntVector4& V) const {
+        return TIntVector4(X + V.X, Y + V.Y, Z + V.Z, W + V.W);
+    }
+    constexpr TIntVector4 operator-(const TIntVector4& V) const {
+        return TIntVector4(X - V.X, Y - V.Y, Z - V.Z, W - V.W);
+    }
+    constexpr TIntVector4 operator*(const TIntVector4& V) const {
+        return TIntVector4(X * V.X, Y * V.Y, Z * V.Z, W * V.W);
+    }
+    constexpr TIntVector4 operator/(const TIntVector4& V) const {
+        return TIntVector4(X / V.X, Y / V.Y, Z / V.Z, W / V.W);
+    }
     constexpr TIntVector4 operator*(T Scale) const { return TIntVector4(X * Scale, Y * Scale, Z * Scale, W * Scale); }
-    constexpr TIntVector4 operator/(T Divisor) const { return TIntVector4(X / Divisor, Y / Divisor, Z / Divisor, W / Divisor); }
+    constexpr TIntVector4 operator/(T Divisor) const {
+        return TIntVector4(X / Divisor, Y / Divisor, Z / Divisor, W / Divisor);
+    }
     TIntVector4& operator+=(const TIntVector4& V) { return *this = *this + V; }
     TIntVector4& operator-=(const TIntVector4& V) { return *this = *this - V; }
     TIntVector4& operator*=(T Scale) { return *this = *this * Scale; }
@@ -154,16 +169,20 @@ struct TIntVector4 {
     T GetMin() const { return FMath::Min(X, FMath::Min(Y, FMath::Min(Z, W))); }
     bool IsZero() const { return *this == TIntVector4(); }
     FString ToString() const {
-        return FString::Printf(TEXT("X=%lld Y=%lld Z=%lld W=%lld"), static_cast<long long>(X), static_cast<long long>(Y), static_cast<long long>(Z), static_cast<long long>(W));
+        return FString::Printf(TEXT("X=%lld Y=%lld Z=%lld W=%lld"), static_cast<long long>(X),
+            static_cast<long long>(Y), static_cast<long long>(Z), static_cast<long long>(W));
     }
     friend uint32 GetTypeHash(const TIntVector4& V) {
         uint32 Hash = GetTypeHash(V.X);
-        Hash = HashCombine(Hash, GetTypeHash(V.Y)); Hash = HashCombine(Hash, GetTypeHash(V.Z)); Hash = HashCombine(Hash, GetTypeHash(V.W));
+        Hash = HashCombine(Hash, GetTypeHash(V.Y));
+        Hash = HashCombine(Hash, GetTypeHash(V.Z));
+        Hash = HashCombine(Hash, GetTypeHash(V.W));
         return Hash;
     }
 };
 template <typename T>
 inline constexpr TIntVector4<T> TIntVector4<T>::ZeroValue(0, 0, 0, 0);
 template <typename T>
-inline constexpr TIntVector4<T> TIntVector4<T>::NoneValue(static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE));
-}  // namespace UE::Math
+inline constexpr TIntVector4<T> TIntVector4<T>::NoneValue(
+    static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE), static_cast<T>(INDEX_NONE));
+} // namespace UE::Math

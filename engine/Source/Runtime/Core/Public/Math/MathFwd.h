@@ -39,7 +39,7 @@ template <typename T>
 struct TIntVector2;
 template <typename T>
 struct TIntVector4;
-}  // namespace UE::Math
+} // namespace UE::Math
 
 using FVector = UE::Math::TVector<double>;
 using FVector3d = UE::Math::TVector<double>;

@@ -23,7 +23,8 @@ struct alignas(16) TMatrix {
     constexpr TMatrix(const TVector<T>& InX, const TVector<T>& InY, const TVector<T>& InZ, const TVector<T>& InW)
         : M{{InX.X, InX.Y, InX.Z, 0}, {InY.X, InY.Y, InY.Z, 0}, {InZ.X, InZ.Y, InZ.Z, 0}, {InW.X, InW.Y, InW.Z, 1}} {}
     constexpr TMatrix(const TPlane<T>& InX, const TPlane<T>& InY, const TPlane<T>& InZ, const TPlane<T>& InW)
-        : M{{InX.X, InX.Y, InX.Z, InX.W}, {InY.X, InY.Y, InY.Z, InY.W}, {InZ.X, InZ.Y, InZ.Z, InZ.W}, {InW.X, InW.Y, InW.Z, InW.W}} {}
+        : M{{InX.X, InX.Y, InX.Z, InX.W}, {InY.X, InY.Y, InY.Z, InY.W}, {InZ.X, InZ.Y, InZ.Z, InZ.W},
+              {InW.X, InW.Y, InW.Z, InW.W}} {}
     template <typename A>
         requires(!std::is_same_v<A, T>)
     explicit constexpr TMatrix(const TMatrix<A>& From) : M{} {
@@ -71,15 +72,21 @@ struct alignas(16) TMatrix {
     }
     TVector4<T> TransformFVector4(const TVector4<T>& P) const {
         return TVector4<T>(P.X * M[0][0] + P.Y * M[1][0] + P.Z * M[2][0] + P.W * M[3][0],
-                           P.X * M[0][1] + P.Y * M[1][1] + P.Z * M[2][1] + P.W * M[3][1],
-                           P.X * M[0][2] + P.Y * M[1][2] + P.Z * M[2][2] + P.W * M[3][2],
-                           P.X * M[0][3] + P.Y * M[1][3] + P.Z * M[2][3] + P.W * M[3][3]);
+            P.X * M[0][1] + P.Y * M[1][1] + P.Z * M[2][1] + P.W * M[3][1],
+            P.X * M[0][2] + P.Y * M[1][2] + P.Z * M[2][2] + P.W * M[3][2],
+            P.X * M[0][3] + P.Y * M[1][3] + P.Z * M[2][3] + P.W * M[3][3]);
     }
-    TVector4<T> TransformPosition(const TVector<T>& V) const { return TransformFVector4(TVector4<T>(V.X, V.Y, V.Z, 1)); }
+    TVector4<T> TransformPosition(const TVector<T>& V) const {
+        return TransformFVector4(TVector4<T>(V.X, V.Y, V.Z, 1));
+    }
     /** Without translation. */
     TVector4<T> TransformVector(const TVector<T>& V) const { return TransformFVector4(TVector4<T>(V.X, V.Y, V.Z, 0)); }
-    TVector<T> InverseTransformPosition(const TVector<T>& V) const { return TVector<T>(InverseFast().TransformPosition(V)); }
-    TVector<T> InverseTransformVector(const TVector<T>& V) const { return TVector<T>(InverseFast().TransformVector(V)); }
+    TVector<T> InverseTransformPosition(const TVector<T>& V) const {
+        return TVector<T>(InverseFast().TransformPosition(V));
+    }
+    TVector<T> InverseTransformVector(const TVector<T>& V) const {
+        return TVector<T>(InverseFast().TransformVector(V));
+    }
     TMatrix GetTransposed() const {
         TMatrix Result;
         for (int32 Index = 0; Index < 16; ++Index) {
@@ -87,7 +94,9 @@ struct alignas(16) TMatrix {
         }
         return Result;
     }
-    T Determinant() const { return Minor(0, 0) * M[0][0] - Minor(0, 1) * M[0][1] + Minor(0, 2) * M[0][2] - Minor(0, 3) * M[0][3]; }
+    T Determinant() const {
+        return Minor(0, 0) * M[0][0] - Minor(0, 1) * M[0][1] + Minor(0, 2) * M[0][2] - Minor(0, 3) * M[0][3];
+    }
     T RotDeterminant() const {
         return M[0][0] * (M[1][1] * M[2][2] - M[1][2] * M[2][1]) - M[1][0] * (M[0][1] * M[2][2] - M[0][2] * M[2][1]) +
                M[2][0] * (M[0][1] * M[1][2] - M[0][2] * M[1][1]);
@@ -194,7 +203,7 @@ struct alignas(16) TMatrix {
         FString Result;
         for (int32 Row = 0; Row < 4; ++Row) {
             Result.Appendf(TEXT("[%g %g %g %g] "), static_cast<double>(M[Row][0]), static_cast<double>(M[Row][1]),
-                           static_cast<double>(M[Row][2]), static_cast<double>(M[Row][3]));
+                static_cast<double>(M[Row][2]), static_cast<double>(M[Row][3]));
         }
         return Result;
     }
@@ -218,7 +227,8 @@ private:
     }
 };
 template <typename T>
-inline constexpr TMatrix<T> TMatrix<T>::Identity(TVector<T>(1, 0, 0), TVector<T>(0, 1, 0), TVector<T>(0, 0, 1), TVector<T>(0, 0, 0));
+inline constexpr TMatrix<T> TMatrix<T>::Identity(
+    TVector<T>(1, 0, 0), TVector<T>(0, 1, 0), TVector<T>(0, 0, 1), TVector<T>(0, 0, 0));
 
 template <typename T>
 TQuat<T>::TQuat(const TMatrix<T>& InMatrix) {
@@ -256,5 +266,5 @@ TPlane<T> TPlane<T>::TransformBy(const TMatrix<T>& M) const {
     const TVector<T> Normal = TVector<T>(M.Inverse().GetTransposed().TransformVector(GetNormal())).GetSafeNormal();
     return TPlane(TVector<T>(M.TransformPosition(GetOrigin())), Normal);
 }
-}  // namespace UE::Math
+} // namespace UE::Math
 #include "Math/RotationMatrix.h"

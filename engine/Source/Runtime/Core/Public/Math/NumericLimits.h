@@ -10,8 +10,8 @@
 #define MIN_uint16 ((uint16)0x0000)
 #define MIN_uint32 ((uint32)0x00000000)
 #define MIN_uint64 ((uint64)0x0000000000000000)
-#define MIN_int8 ((int8)-128)
-#define MIN_int16 ((int16)-32768)
+#define MIN_int8 ((int8) - 128)
+#define MIN_int16 ((int16) - 32768)
 #define MIN_int32 ((int32)0x80000000)
 #define MIN_int64 ((int64)0x8000000000000000)
 #define MAX_uint8 ((uint8)0xff)
@@ -27,7 +27,8 @@
 #define MIN_dbl (2.2250738585072014e-308)
 #define MAX_dbl (1.7976931348623158e+308)
 
-/** Limits of a number type. Lowest() is the most negative value; Min() of a floating-point type the smallest positive. */
+/** Limits of a number type. Lowest() is the most negative value; Min() of a floating-point type the smallest positive.
+ */
 template <typename NumericType>
 struct TNumericLimits {
     typedef NumericType NumericType_;

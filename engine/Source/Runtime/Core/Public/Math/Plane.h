@@ -44,7 +44,7 @@ struct alignas(16) TPlane : public TVector<T> {
     }
     FString ToString() const {
         return FString::Printf(TEXT("X=%3.3f Y=%3.3f Z=%3.3f W=%3.3f"), static_cast<double>(X), static_cast<double>(Y),
-                               static_cast<double>(Z), static_cast<double>(W));
+            static_cast<double>(Z), static_cast<double>(W));
     }
 };
 template <typename T>
@@ -55,4 +55,4 @@ template <typename T>
 TVector<T> TVector<T>::PointPlaneProject(const TVector& Point, const TPlane<T>& Plane) {
     return Point - Plane.GetNormal() * Plane.PlaneDot(Point);
 }
-}  // namespace UE::Math
+} // namespace UE::Math

@@ -38,7 +38,7 @@ struct alignas(16) TQuat {
     constexpr TQuat operator-() const { return TQuat(-X, -Y, -Z, -W); }
     constexpr TQuat operator*(const TQuat& Q) const {
         return TQuat(W * Q.X + X * Q.W + Y * Q.Z - Z * Q.Y, W * Q.Y - X * Q.Z + Y * Q.W + Z * Q.X,
-                     W * Q.Z + X * Q.Y - Y * Q.X + Z * Q.W, W * Q.W - X * Q.X - Y * Q.Y - Z * Q.Z);
+            W * Q.Z + X * Q.Y - Y * Q.X + Z * Q.W, W * Q.W - X * Q.X - Y * Q.Y - Z * Q.Z);
     }
     template <typename A>
         requires std::is_arithmetic_v<A>
@@ -68,7 +68,9 @@ struct alignas(16) TQuat {
     constexpr bool operator==(const TQuat& Q) const { return X == Q.X && Y == Q.Y && Z == Q.Z && W == Q.W; }
 
     /** Q and -Q are the same rotation, and equal here. */
-    bool Equals(const TQuat& Q, T Tolerance = UE_KINDA_SMALL_NUMBER) const { return Near(Q, Tolerance) || Near(-Q, Tolerance); }
+    bool Equals(const TQuat& Q, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
+        return Near(Q, Tolerance) || Near(-Q, Tolerance);
+    }
     bool IsIdentity(T Tolerance = UE_SMALL_NUMBER) const { return Equals(Identity, Tolerance); }
     void Normalize(T Tolerance = UE_SMALL_NUMBER) {
         const T SquareSum = SizeSquared();
@@ -177,26 +179,29 @@ struct alignas(16) TQuat {
         }
         return A * Scale0 + B * (RawCosom >= 0 ? Scale1 : -Scale1);
     }
-    static TQuat Slerp(const TQuat& A, const TQuat& B, T Alpha) { return Slerp_NotNormalized(A, B, Alpha).GetNormalized(); }
+    static TQuat Slerp(const TQuat& A, const TQuat& B, T Alpha) {
+        return Slerp_NotNormalized(A, B, Alpha).GetNormalized();
+    }
     bool ContainsNaN() const {
         return !FMath::IsFinite(X) || !FMath::IsFinite(Y) || !FMath::IsFinite(Z) || !FMath::IsFinite(W);
     }
     FString ToString() const {
         return FString::Printf(TEXT("X=%.9f Y=%.9f Z=%.9f W=%.9f"), static_cast<double>(X), static_cast<double>(Y),
-                               static_cast<double>(Z), static_cast<double>(W));
+            static_cast<double>(Z), static_cast<double>(W));
     }
     bool InitFromString(const FString& S) {
         return Private::ParseComponent(S, TEXT("X="), X) && Private::ParseComponent(S, TEXT("Y="), Y) &&
                Private::ParseComponent(S, TEXT("Z="), Z) && Private::ParseComponent(S, TEXT("W="), W);
     }
     friend uint32 GetTypeHash(const TQuat& Q) {
-        return HashCombine(HashCombine(GetTypeHash(Q.X), GetTypeHash(Q.Y)), HashCombine(GetTypeHash(Q.Z), GetTypeHash(Q.W)));
+        return HashCombine(
+            HashCombine(GetTypeHash(Q.X), GetTypeHash(Q.Y)), HashCombine(GetTypeHash(Q.Z), GetTypeHash(Q.W)));
     }
 
 private:
     bool Near(const TQuat& Q, T Tolerance) const {
-        return FMath::Abs(X - Q.X) <= Tolerance && FMath::Abs(Y - Q.Y) <= Tolerance && FMath::Abs(Z - Q.Z) <= Tolerance &&
-               FMath::Abs(W - Q.W) <= Tolerance;
+        return FMath::Abs(X - Q.X) <= Tolerance && FMath::Abs(Y - Q.Y) <= Tolerance &&
+               FMath::Abs(Z - Q.Z) <= Tolerance && FMath::Abs(W - Q.W) <= Tolerance;
     }
     static TQuat BetweenHelper(const TVector<T>& A, const TVector<T>& B, T NormAB) {
         const T W_ = NormAB + (A | B);
@@ -223,7 +228,7 @@ TQuat<T> TRotator<T>::Quaternion() const {
     FMath::SinCos(&SY, &CY, FMath::Fmod(Yaw, T(360)) * HalfDegToRad);
     FMath::SinCos(&SR, &CR, FMath::Fmod(Roll, T(360)) * HalfDegToRad);
     return TQuat<T>(CR * SP * SY - SR * CP * CY, -CR * SP * CY - SR * CP * SY, CR * CP * SY - SR * SP * CY,
-                    CR * CP * CY + SR * SP * SY);
+        CR * CP * CY + SR * SP * SY);
 }
 template <typename T>
 TRotator<T>::TRotator(const TQuat<T>& Quat) {
@@ -254,4 +259,4 @@ TVector<T> TVector<T>::SlerpVectorToDirection(const TVector& V, const TVector& D
     const TQuat<T> Turn = TQuat<T>::FindBetweenVectors(V, Direction);
     return TQuat<T>::Slerp(TQuat<T>::Identity, Turn, Alpha).RotateVector(V);
 }
-}  // namespace UE::Math
+} // namespace UE::Math

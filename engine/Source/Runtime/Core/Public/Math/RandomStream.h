@@ -50,24 +50,32 @@ struct FRandomStream {
             return Dir.GetSafeNormal();
         }
         const double Phi = 2.0 * UE_DOUBLE_PI * static_cast<double>(GetFraction());
-        const double CosTheta = 1.0 - static_cast<double>(GetFraction()) * (1.0 - FMath::Cos(static_cast<double>(ConeHalfAngleRad)));
+        const double CosTheta =
+            1.0 - static_cast<double>(GetFraction()) * (1.0 - FMath::Cos(static_cast<double>(ConeHalfAngleRad)));
         const double SinTheta = FMath::Sqrt(1.0 - CosTheta * CosTheta);
         const FVector Local(CosTheta, SinTheta * FMath::Cos(Phi), SinTheta * FMath::Sin(Phi));
         return Dir.ToOrientationQuat().RotateVector(Local);
     }
     /** Integer in [0, A). */
-    int32 RandHelper(int32 A) const { return A > 0 ? FMath::TruncToInt32(GetFraction() * (static_cast<float>(A) - UE_DELTA)) : 0; }
+    int32 RandHelper(int32 A) const {
+        return A > 0 ? FMath::TruncToInt32(GetFraction() * (static_cast<float>(A) - UE_DELTA)) : 0;
+    }
     /** Integer in [Min, Max]. */
     int32 RandRange(int32 InMin, int32 InMax) const {
         const int32 Range = InMax - InMin + 1;
         return InMin + RandHelper(Range);
     }
     float FRandRange(float InMin, float InMax) const { return InMin + (InMax - InMin) * GetFraction(); }
-    double FRandRange(double InMin, double InMax) const { return InMin + (InMax - InMin) * static_cast<double>(GetFraction()); }
-    FVector RandPointInBox(const FBox& Box) const {
-        return FVector(FRandRange(Box.Min.X, Box.Max.X), FRandRange(Box.Min.Y, Box.Max.Y), FRandRange(Box.Min.Z, Box.Max.Z));
+    double FRandRange(double InMin, double InMax) const {
+        return InMin + (InMax - InMin) * static_cast<double>(GetFraction());
     }
-    FString ToString() const { return FString::Printf(TEXT("FRandomStream(InitialSeed=%d, Seed=%u)"), InitialSeed, static_cast<uint32>(Seed)); }
+    FVector RandPointInBox(const FBox& Box) const {
+        return FVector(
+            FRandRange(Box.Min.X, Box.Max.X), FRandRange(Box.Min.Y, Box.Max.Y), FRandRange(Box.Min.Z, Box.Max.Z));
+    }
+    FString ToString() const {
+        return FString::Printf(TEXT("FRandomStream(InitialSeed=%d, Seed=%u)"), InitialSeed, static_cast<uint32>(Seed));
+    }
 
 private:
     void MutateSeed() const { Seed = static_cast<int32>(static_cast<uint32>(Seed) * 196314165u + 907633515u); }

@@ -21,4 +21,4 @@ struct TRay {
     T DistSquared(const TVector<T>& Point) const { return (Point - ClosestPoint(Point)).SizeSquared(); }
     T Dist(const TVector<T>& Point) const { return FMath::Sqrt(DistSquared(Point)); }
 };
-}  // namespace UE::Math
+} // namespace UE::Math

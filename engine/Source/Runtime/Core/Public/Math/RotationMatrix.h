@@ -13,17 +13,18 @@ struct TScaleRotationTranslationMatrix : public TMatrix<T> {
         FMath::SinCos(&SP, &CP, FMath::DegreesToRadians(FMath::Fmod(Rot.Pitch, T(360))));
         FMath::SinCos(&SY, &CY, FMath::DegreesToRadians(FMath::Fmod(Rot.Yaw, T(360))));
         FMath::SinCos(&SR, &CR, FMath::DegreesToRadians(FMath::Fmod(Rot.Roll, T(360))));
-        static_cast<TMatrix<T>&>(*this) =
-            TMatrix<T>(TVector<T>(CP * CY, CP * SY, SP) * Scale.X,
-                       TVector<T>(SR * SP * CY - CR * SY, SR * SP * SY + CR * CY, -SR * CP) * Scale.Y,
-                       TVector<T>(-(CR * SP * CY + SR * SY), CY * SR - CR * SP * SY, CR * CP) * Scale.Z, Origin);
+        static_cast<TMatrix<T>&>(*this) = TMatrix<T>(TVector<T>(CP * CY, CP * SY, SP) * Scale.X,
+            TVector<T>(SR * SP * CY - CR * SY, SR * SP * SY + CR * CY, -SR * CP) * Scale.Y,
+            TVector<T>(-(CR * SP * CY + SR * SY), CY * SR - CR * SP * SY, CR * CP) * Scale.Z, Origin);
     }
 };
 template <typename T>
 struct TRotationTranslationMatrix : public TScaleRotationTranslationMatrix<T> {
     TRotationTranslationMatrix(const TRotator<T>& Rot, const TVector<T>& Origin)
         : TScaleRotationTranslationMatrix<T>(TVector<T>(1, 1, 1), Rot, Origin) {}
-    static TMatrix<T> Make(const TRotator<T>& Rot, const TVector<T>& Origin) { return TRotationTranslationMatrix(Rot, Origin); }
+    static TMatrix<T> Make(const TRotator<T>& Rot, const TVector<T>& Origin) {
+        return TRotationTranslationMatrix(Rot, Origin);
+    }
 };
 template <typename T>
 struct TRotationMatrix : public TRotationTranslationMatrix<T> {
@@ -33,19 +34,22 @@ struct TRotationMatrix : public TRotationTranslationMatrix<T> {
     /** A frame with that X axis; Z as far up as it can be. */
     static TMatrix<T> MakeFromX(const TVector<T>& XAxis) {
         const TVector<T> X = XAxis.GetSafeNormal();
-        const TVector<T> Up = FMath::Abs(X.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
+        const TVector<T> Up =
+            FMath::Abs(X.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
         const TVector<T> Y = (Up ^ X).GetSafeNormal();
         return TMatrix<T>(X, Y, X ^ Y, TVector<T>());
     }
     static TMatrix<T> MakeFromY(const TVector<T>& YAxis) {
         const TVector<T> Y = YAxis.GetSafeNormal();
-        const TVector<T> Up = FMath::Abs(Y.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
+        const TVector<T> Up =
+            FMath::Abs(Y.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
         const TVector<T> Z = (Up - Y * (Up | Y)).GetSafeNormal();
         return TMatrix<T>(Y ^ Z, Y, Z, TVector<T>());
     }
     static TMatrix<T> MakeFromZ(const TVector<T>& ZAxis) {
         const TVector<T> Z = ZAxis.GetSafeNormal();
-        const TVector<T> Up = FMath::Abs(Z.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
+        const TVector<T> Up =
+            FMath::Abs(Z.Z) < T(1) - T(UE_KINDA_SMALL_NUMBER) ? TVector<T>(0, 0, 1) : TVector<T>(1, 0, 0);
         const TVector<T> X = (Up - Z * (Up | Z)).GetSafeNormal();
         return TMatrix<T>(X, Z ^ X, Z, TVector<T>());
     }
@@ -108,7 +112,9 @@ template <typename T>
 struct TQuatRotationTranslationMatrix : public TMatrix<T> {
     TQuatRotationTranslationMatrix(const TQuat<T>& Q, const TVector<T>& Origin)
         : TMatrix<T>(Q.GetAxisX(), Q.GetAxisY(), Q.GetAxisZ(), Origin) {}
-    static TMatrix<T> Make(const TQuat<T>& Q, const TVector<T>& Origin) { return TQuatRotationTranslationMatrix(Q, Origin); }
+    static TMatrix<T> Make(const TQuat<T>& Q, const TVector<T>& Origin) {
+        return TQuatRotationTranslationMatrix(Q, Origin);
+    }
 };
 template <typename T>
 struct TQuatRotationMatrix : public TQuatRotationTranslationMatrix<T> {
@@ -160,13 +166,14 @@ template <typename T>
 TRotator<T> TMatrix<T>::Rotator() const {
     TVector<T> XAxis, YAxis, ZAxis;
     GetScaledAxes(XAxis, YAxis, ZAxis);
-    TRotator<T> Result(FMath::RadiansToDegrees(FMath::Atan2(XAxis.Z, FMath::Sqrt(XAxis.X * XAxis.X + XAxis.Y * XAxis.Y))),
-                       FMath::RadiansToDegrees(FMath::Atan2(XAxis.Y, XAxis.X)), 0);
+    TRotator<T> Result(
+        FMath::RadiansToDegrees(FMath::Atan2(XAxis.Z, FMath::Sqrt(XAxis.X * XAxis.X + XAxis.Y * XAxis.Y))),
+        FMath::RadiansToDegrees(FMath::Atan2(XAxis.Y, XAxis.X)), 0);
     const TVector<T> SYAxis = TRotationMatrix<T>(Result).GetScaledAxis(EAxis::Y);
     Result.Roll = FMath::RadiansToDegrees(FMath::Atan2(ZAxis | SYAxis, YAxis | SYAxis));
     return Result;
 }
-}  // namespace UE::Math
+} // namespace UE::Math
 
 using FScaleRotationTranslationMatrix = UE::Math::TScaleRotationTranslationMatrix<double>;
 using FRotationTranslationMatrix = UE::Math::TRotationTranslationMatrix<double>;

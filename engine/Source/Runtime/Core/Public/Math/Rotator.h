@@ -32,8 +32,12 @@ struct TRotator {
     explicit constexpr TRotator(const TRotator<A>& R)
         : Pitch(static_cast<T>(R.Pitch)), Yaw(static_cast<T>(R.Yaw)), Roll(static_cast<T>(R.Roll)) {}
 
-    constexpr TRotator operator+(const TRotator& R) const { return TRotator(Pitch + R.Pitch, Yaw + R.Yaw, Roll + R.Roll); }
-    constexpr TRotator operator-(const TRotator& R) const { return TRotator(Pitch - R.Pitch, Yaw - R.Yaw, Roll - R.Roll); }
+    constexpr TRotator operator+(const TRotator& R) const {
+        return TRotator(Pitch + R.Pitch, Yaw + R.Yaw, Roll + R.Roll);
+    }
+    constexpr TRotator operator-(const TRotator& R) const {
+        return TRotator(Pitch - R.Pitch, Yaw - R.Yaw, Roll - R.Roll);
+    }
     template <typename A>
         requires std::is_arithmetic_v<A>
     constexpr TRotator operator*(A Scale) const {
@@ -60,7 +64,8 @@ struct TRotator {
     bool IsZero() const { return ClampAxis(Pitch) == 0 && ClampAxis(Yaw) == 0 && ClampAxis(Roll) == 0; }
     /** Equal angles modulo 360. */
     bool Equals(const TRotator& R, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
-        return FMath::Abs(NormalizeAxis(Pitch - R.Pitch)) <= Tolerance && FMath::Abs(NormalizeAxis(Yaw - R.Yaw)) <= Tolerance &&
+        return FMath::Abs(NormalizeAxis(Pitch - R.Pitch)) <= Tolerance &&
+               FMath::Abs(NormalizeAxis(Yaw - R.Yaw)) <= Tolerance &&
                FMath::Abs(NormalizeAxis(Roll - R.Roll)) <= Tolerance;
     }
     bool EqualsOrientation(const TRotator& R, T Tolerance = UE_KINDA_SMALL_NUMBER) const;
@@ -72,7 +77,8 @@ struct TRotator {
     }
     TRotator GetInverse() const;
     TRotator GridSnap(const TRotator& RotGrid) const {
-        return TRotator(FMath::GridSnap(Pitch, RotGrid.Pitch), FMath::GridSnap(Yaw, RotGrid.Yaw), FMath::GridSnap(Roll, RotGrid.Roll));
+        return TRotator(FMath::GridSnap(Pitch, RotGrid.Pitch), FMath::GridSnap(Yaw, RotGrid.Yaw),
+            FMath::GridSnap(Roll, RotGrid.Roll));
     }
     /** The direction it points to. */
     TVector<T> Vector() const {
@@ -108,14 +114,16 @@ struct TRotator {
     }
     bool ContainsNaN() const { return !FMath::IsFinite(Pitch) || !FMath::IsFinite(Yaw) || !FMath::IsFinite(Roll); }
     FString ToString() const {
-        return FString::Printf(TEXT("P=%f Y=%f R=%f"), static_cast<double>(Pitch), static_cast<double>(Yaw), static_cast<double>(Roll));
+        return FString::Printf(
+            TEXT("P=%f Y=%f R=%f"), static_cast<double>(Pitch), static_cast<double>(Yaw), static_cast<double>(Roll));
     }
     FString ToCompactString() const {
         return FString::Printf(TEXT("R(P=%.2f, Y=%.2f, R=%.2f)"), static_cast<double>(Pitch), static_cast<double>(Yaw),
-                               static_cast<double>(Roll));
+            static_cast<double>(Roll));
     }
     bool InitFromString(const FString& InSourceString) {
-        return Private::ParseComponent(InSourceString, TEXT("P="), Pitch) && Private::ParseComponent(InSourceString, TEXT("Y="), Yaw) &&
+        return Private::ParseComponent(InSourceString, TEXT("P="), Pitch) &&
+               Private::ParseComponent(InSourceString, TEXT("Y="), Yaw) &&
                Private::ParseComponent(InSourceString, TEXT("R="), Roll);
     }
     /** In [0, 360). */
@@ -128,9 +136,13 @@ struct TRotator {
         Angle = ClampAxis(Angle);
         return Angle > T(180) ? Angle - T(360) : Angle;
     }
-    static uint8 CompressAxisToByte(T Angle) { return static_cast<uint8>(FMath::RoundToInt32(Angle * T(256) / T(360)) & 0xFF); }
+    static uint8 CompressAxisToByte(T Angle) {
+        return static_cast<uint8>(FMath::RoundToInt32(Angle * T(256) / T(360)) & 0xFF);
+    }
     static T DecompressAxisFromByte(uint8 Angle) { return T(Angle) * T(360) / T(256); }
-    static uint16 CompressAxisToShort(T Angle) { return static_cast<uint16>(FMath::RoundToInt32(Angle * T(65536) / T(360)) & 0xFFFF); }
+    static uint16 CompressAxisToShort(T Angle) {
+        return static_cast<uint16>(FMath::RoundToInt32(Angle * T(65536) / T(360)) & 0xFFFF);
+    }
     static T DecompressAxisFromShort(uint16 Angle) { return T(Angle) * T(360) / T(65536); }
     friend uint32 GetTypeHash(const TRotator& R) {
         return HashCombine(HashCombine(GetTypeHash(R.Pitch), GetTypeHash(R.Yaw)), GetTypeHash(R.Roll));
@@ -142,7 +154,7 @@ inline constexpr TRotator<T> TRotator<T>::ZeroRotator(0, 0, 0);
 template <typename T>
 TRotator<T> TVector<T>::ToOrientationRotator() const {
     return TRotator<T>(FMath::RadiansToDegrees(FMath::Atan2(Z, FMath::Sqrt(X * X + Y * Y))),
-                       FMath::RadiansToDegrees(FMath::Atan2(Y, X)), 0);
+        FMath::RadiansToDegrees(FMath::Atan2(Y, X)), 0);
 }
-}  // namespace UE::Math
+} // namespace UE::Math
 #include "Math/Quat.h"

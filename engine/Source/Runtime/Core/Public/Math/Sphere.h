@@ -25,12 +25,15 @@ struct TSphere {
     }
     /** Is this sphere inside the other? */
     bool IsInside(const TSphere& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
-        return W <= Other.W + Tolerance && (Center - Other.Center).SizeSquared() <= FMath::Square(Other.W + Tolerance - W);
+        return W <= Other.W + Tolerance &&
+               (Center - Other.Center).SizeSquared() <= FMath::Square(Other.W + Tolerance - W);
     }
     bool Intersects(const TSphere& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
         return (Center - Other.Center).SizeSquared() <= FMath::Square(FMath::Max(T(0), Other.W + W + Tolerance));
     }
-    TSphere TransformBy(const TTransform<T>& M) const { return TSphere(M.TransformPosition(Center), M.GetMaximumAxisScale() * W); }
+    TSphere TransformBy(const TTransform<T>& M) const {
+        return TSphere(M.TransformPosition(Center), M.GetMaximumAxisScale() * W);
+    }
     T GetVolume() const { return T(4.0 / 3.0 * UE_DOUBLE_PI) * W * W * W; }
 };
-}  // namespace UE::Math
+} // namespace UE::Math

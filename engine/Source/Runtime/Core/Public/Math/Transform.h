@@ -21,10 +21,11 @@ struct alignas(16) TTransform {
     explicit constexpr TTransform(const TVector<T>& InTranslation) : Translation(InTranslation), Scale3D(1, 1, 1) {}
     explicit constexpr TTransform(const TQuat<T>& InRotation) : Rotation(InRotation), Scale3D(1, 1, 1) {}
     explicit TTransform(const TRotator<T>& InRotation) : Rotation(InRotation), Scale3D(1, 1, 1) {}
-    constexpr TTransform(const TQuat<T>& InRotation, const TVector<T>& InTranslation,
-                         const TVector<T>& InScale3D = TVector<T>(1, 1, 1))
+    constexpr TTransform(
+        const TQuat<T>& InRotation, const TVector<T>& InTranslation, const TVector<T>& InScale3D = TVector<T>(1, 1, 1))
         : Rotation(InRotation), Translation(InTranslation), Scale3D(InScale3D) {}
-    TTransform(const TRotator<T>& InRotation, const TVector<T>& InTranslation, const TVector<T>& InScale3D = TVector<T>(1, 1, 1))
+    TTransform(const TRotator<T>& InRotation, const TVector<T>& InTranslation,
+        const TVector<T>& InScale3D = TVector<T>(1, 1, 1))
         : Rotation(InRotation), Translation(InTranslation), Scale3D(InScale3D) {}
     explicit TTransform(const TMatrix<T>& InMatrix) { SetFromMatrix(InMatrix); }
     TTransform(const TVector<T>& InX, const TVector<T>& InY, const TVector<T>& InZ, const TVector<T>& InTranslation) {
@@ -66,22 +67,22 @@ struct alignas(16) TTransform {
     bool IsRotationNormalized() const { return Rotation.IsNormalized(); }
     TVector<T> GetScaledAxis(EAxis::Type Axis) const {
         switch (Axis) {
-            case EAxis::X:
-                return TransformVector(TVector<T>(1, 0, 0));
-            case EAxis::Y:
-                return TransformVector(TVector<T>(0, 1, 0));
-            default:
-                return TransformVector(TVector<T>(0, 0, 1));
+        case EAxis::X:
+            return TransformVector(TVector<T>(1, 0, 0));
+        case EAxis::Y:
+            return TransformVector(TVector<T>(0, 1, 0));
+        default:
+            return TransformVector(TVector<T>(0, 0, 1));
         }
     }
     TVector<T> GetUnitAxis(EAxis::Type Axis) const {
         switch (Axis) {
-            case EAxis::X:
-                return Rotation.GetAxisX();
-            case EAxis::Y:
-                return Rotation.GetAxisY();
-            default:
-                return Rotation.GetAxisZ();
+        case EAxis::X:
+            return Rotation.GetAxisX();
+        case EAxis::Y:
+            return Rotation.GetAxisY();
+        default:
+            return Rotation.GetAxisZ();
         }
     }
     T GetMaximumAxisScale() const { return Scale3D.GetAbsMax(); }
@@ -100,7 +101,9 @@ struct alignas(16) TTransform {
     TVector<T> InverseTransformPosition(const TVector<T>& V) const {
         return Rotation.UnrotateVector(V - Translation) * GetSafeScaleReciprocal(Scale3D);
     }
-    TVector<T> InverseTransformPositionNoScale(const TVector<T>& V) const { return Rotation.UnrotateVector(V - Translation); }
+    TVector<T> InverseTransformPositionNoScale(const TVector<T>& V) const {
+        return Rotation.UnrotateVector(V - Translation);
+    }
     TVector<T> InverseTransformVector(const TVector<T>& V) const {
         return Rotation.UnrotateVector(V) * GetSafeScaleReciprocal(Scale3D);
     }
@@ -123,13 +126,14 @@ struct alignas(16) TTransform {
     void operator*=(const TQuat<T>& Other) { *this = *this * Other; }
     static void Multiply(TTransform* OutTransform, const TTransform* A, const TTransform* B) {
         if (A->Scale3D.GetMin() < 0 || B->Scale3D.GetMin() < 0) {
-            // A mirror does not commute with the rotation: go through matrices, and give the result the product's signs.
+            // A mirror does not commute with the rotation: go through matrices, and give the result the product's
+            // signs.
             const TMatrix<T> Product = A->ToMatrixWithScale() * B->ToMatrixWithScale();
             *OutTransform = FromMatrixWithSigns(Product, A->Scale3D * B->Scale3D);
             return;
         }
         const TTransform Result(B->Rotation * A->Rotation,
-                                B->Rotation.RotateVector(B->Scale3D * A->Translation) + B->Translation, A->Scale3D * B->Scale3D);
+            B->Rotation.RotateVector(B->Scale3D * A->Translation) + B->Translation, A->Scale3D * B->Scale3D);
         *OutTransform = Result;
     }
     /** `X * X.Inverse()` is the identity, as far as a non-uniform scale allows. */
@@ -146,8 +150,8 @@ struct alignas(16) TTransform {
         }
         const TVector<T> Reciprocal = GetSafeScaleReciprocal(Other.Scale3D);
         const TQuat<T> InverseOther = Other.Rotation.Inverse();
-        return TTransform(InverseOther * Rotation, InverseOther.RotateVector(Translation - Other.Translation) * Reciprocal,
-                          Scale3D * Reciprocal);
+        return TTransform(InverseOther * Rotation,
+            InverseOther.RotateVector(Translation - Other.Translation) * Reciprocal, Scale3D * Reciprocal);
     }
     /** The transform R for which `this * R` is Other. */
     TTransform GetRelativeTransformReverse(const TTransform& Other) const {
@@ -167,7 +171,8 @@ struct alignas(16) TTransform {
     void BlendWith(const TTransform& OtherAtom, T Alpha) { Blend(TTransform(*this), OtherAtom, Alpha); }
 
     TMatrix<T> ToMatrixWithScale() const {
-        return TMatrix<T>(Rotation.GetAxisX() * Scale3D.X, Rotation.GetAxisY() * Scale3D.Y, Rotation.GetAxisZ() * Scale3D.Z, Translation);
+        return TMatrix<T>(Rotation.GetAxisX() * Scale3D.X, Rotation.GetAxisY() * Scale3D.Y,
+            Rotation.GetAxisZ() * Scale3D.Z, Translation);
     }
     TMatrix<T> ToMatrixNoScale() const {
         return TMatrix<T>(Rotation.GetAxisX(), Rotation.GetAxisY(), Rotation.GetAxisZ(), Translation);
@@ -198,7 +203,8 @@ struct alignas(16) TTransform {
         return Scale3D.Equals(Other.Scale3D, Tolerance);
     }
     bool Equals(const TTransform& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
-        return TranslationEquals(Other, Tolerance) && RotationEquals(Other, Tolerance) && Scale3DEquals(Other, Tolerance);
+        return TranslationEquals(Other, Tolerance) && RotationEquals(Other, Tolerance) &&
+               Scale3DEquals(Other, Tolerance);
     }
     bool EqualsNoScale(const TTransform& Other, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
         return TranslationEquals(Other, Tolerance) && RotationEquals(Other, Tolerance);
@@ -212,19 +218,19 @@ struct alignas(16) TTransform {
     /** 1 / scale, and 0 where the scale is (nearly) 0. */
     static TVector<T> GetSafeScaleReciprocal(const TVector<T>& InScale, T Tolerance = UE_SMALL_NUMBER) {
         return TVector<T>(FMath::Abs(InScale.X) <= Tolerance ? T(0) : T(1) / InScale.X,
-                          FMath::Abs(InScale.Y) <= Tolerance ? T(0) : T(1) / InScale.Y,
-                          FMath::Abs(InScale.Z) <= Tolerance ? T(0) : T(1) / InScale.Z);
+            FMath::Abs(InScale.Y) <= Tolerance ? T(0) : T(1) / InScale.Y,
+            FMath::Abs(InScale.Z) <= Tolerance ? T(0) : T(1) / InScale.Z);
     }
     FString ToHumanReadableString() const {
-        return FString::Printf(TEXT("Rotation: %s\nTranslation: %s\nScale3D: %s\n"), *Rotator().ToString(), *Translation.ToString(),
-                               *Scale3D.ToString());
+        return FString::Printf(TEXT("Rotation: %s\nTranslation: %s\nScale3D: %s\n"), *Rotator().ToString(),
+            *Translation.ToString(), *Scale3D.ToString());
     }
     /** "x,y,z|pitch,yaw,roll|sx,sy,sz". */
     FString ToString() const {
         const TRotator<T> R = Rotator();
-        return FString::Printf(TEXT("%f,%f,%f|%f,%f,%f|%f,%f,%f"), double(Translation.X), double(Translation.Y), double(Translation.Z),
-                               double(R.Pitch), double(R.Yaw), double(R.Roll), double(Scale3D.X), double(Scale3D.Y),
-                               double(Scale3D.Z));
+        return FString::Printf(TEXT("%f,%f,%f|%f,%f,%f|%f,%f,%f"), double(Translation.X), double(Translation.Y),
+            double(Translation.Z), double(R.Pitch), double(R.Yaw), double(R.Roll), double(Scale3D.X), double(Scale3D.Y),
+            double(Scale3D.Z));
     }
     bool InitFromString(const FString& InSourceString) {
         TArray<FString> Parts;
@@ -241,7 +247,7 @@ struct alignas(16) TTransform {
     }
     friend uint32 GetTypeHash(const TTransform& Transform) {
         return HashCombine(HashCombine(GetTypeHash(Transform.Rotation), GetTypeHash(Transform.Translation)),
-                           GetTypeHash(Transform.Scale3D));
+            GetTypeHash(Transform.Scale3D));
     }
 
 private:
@@ -256,4 +262,4 @@ private:
 };
 template <typename T>
 inline constexpr TTransform<T> TTransform<T>::Identity{};
-}  // namespace UE::Math
+} // namespace UE::Math

@@ -68,7 +68,9 @@ struct FMath : public FPlatformMath {
     static float RandRange(float InMin, float InMax) { return FRandRange(InMin, InMax); }
     static double RandRange(double InMin, double InMax) { return FRandRange(InMin, InMax); }
     static float FRandRange(float InMin, float InMax) { return InMin + (InMax - InMin) * FRand(); }
-    static double FRandRange(double InMin, double InMax) { return InMin + (InMax - InMin) * static_cast<double>(FRand()); }
+    static double FRandRange(double InMin, double InMax) {
+        return InMin + (InMax - InMin) * static_cast<double>(FRand());
+    }
     static bool RandBool() { return RandRange(0, 1) == 1; }
     /** Unit vector, uniform on the sphere. */
     static CORE_API FVector VRand();
@@ -86,7 +88,9 @@ struct FMath : public FPlatformMath {
     static constexpr bool IsWithinInclusive(A TestValue, B MinValue, B MaxValue) {
         return TestValue >= MinValue && TestValue <= MaxValue;
     }
-    static bool IsNearlyEqual(float A, float B, float ErrorTolerance = UE_SMALL_NUMBER) { return Abs(A - B) <= ErrorTolerance; }
+    static bool IsNearlyEqual(float A, float B, float ErrorTolerance = UE_SMALL_NUMBER) {
+        return Abs(A - B) <= ErrorTolerance;
+    }
     static bool IsNearlyEqual(double A, double B, double ErrorTolerance = UE_DOUBLE_SMALL_NUMBER) {
         return Abs(A - B) <= ErrorTolerance;
     }
@@ -95,8 +99,12 @@ struct FMath : public FPlatformMath {
     static bool IsNearlyEqual(A InA, B InB, double ErrorTolerance = UE_DOUBLE_SMALL_NUMBER) {
         return Abs(static_cast<double>(InA) - static_cast<double>(InB)) <= ErrorTolerance;
     }
-    static bool IsNearlyZero(float Value, float ErrorTolerance = UE_SMALL_NUMBER) { return Abs(Value) <= ErrorTolerance; }
-    static bool IsNearlyZero(double Value, double ErrorTolerance = UE_DOUBLE_SMALL_NUMBER) { return Abs(Value) <= ErrorTolerance; }
+    static bool IsNearlyZero(float Value, float ErrorTolerance = UE_SMALL_NUMBER) {
+        return Abs(Value) <= ErrorTolerance;
+    }
+    static bool IsNearlyZero(double Value, double ErrorTolerance = UE_DOUBLE_SMALL_NUMBER) {
+        return Abs(Value) <= ErrorTolerance;
+    }
     template <typename T>
     static constexpr bool IsPowerOfTwo(T Value) {
         return (Value & (Value - 1)) == T(0);
@@ -260,7 +268,8 @@ struct FMath : public FPlatformMath {
     static constexpr T CubicInterp(const T& P0, const T& T0, const T& P1, const T& T1, const U& A) {
         const U A2 = A * A;
         const U A3 = A2 * A;
-        return static_cast<T>(P0 * (2 * A3 - 3 * A2 + 1) + T0 * (A3 - 2 * A2 + A) + T1 * (A3 - A2) + P1 * (-2 * A3 + 3 * A2));
+        return static_cast<T>(
+            P0 * (2 * A3 - 3 * A2 + 1) + T0 * (A3 - 2 * A2 + A) + T1 * (A3 - A2) + P1 * (-2 * A3 + 3 * A2));
     }
     template <typename T>
     static T InterpEaseIn(const T& A, const T& B, float Alpha, float Exp) {
@@ -272,8 +281,9 @@ struct FMath : public FPlatformMath {
     }
     template <typename T>
     static T InterpEaseInOut(const T& A, const T& B, float Alpha, float Exp) {
-        return Lerp(A, B, Alpha < 0.5f ? InterpEaseIn(0.f, 1.f, Alpha * 2.f, Exp) * 0.5f
-                                       : InterpEaseOut(0.f, 1.f, Alpha * 2.f - 1.f, Exp) * 0.5f + 0.5f);
+        return Lerp(A, B,
+            Alpha < 0.5f ? InterpEaseIn(0.f, 1.f, Alpha * 2.f, Exp) * 0.5f
+                         : InterpEaseOut(0.f, 1.f, Alpha * 2.f - 1.f, Exp) * 0.5f + 0.5f);
     }
     template <typename T>
     static T InterpSinInOut(const T& A, const T& B, float Alpha) {
@@ -298,8 +308,10 @@ struct FMath : public FPlatformMath {
     }
     static CORE_API double GetRangePct(const FVector2D& Range, double Value);
     static CORE_API double GetRangeValue(const FVector2D& Range, double Pct);
-    static CORE_API double GetMappedRangeValueClamped(const FVector2D& InputRange, const FVector2D& OutputRange, double Value);
-    static CORE_API double GetMappedRangeValueUnclamped(const FVector2D& InputRange, const FVector2D& OutputRange, double Value);
+    static CORE_API double GetMappedRangeValueClamped(
+        const FVector2D& InputRange, const FVector2D& OutputRange, double Value);
+    static CORE_API double GetMappedRangeValueUnclamped(
+        const FVector2D& InputRange, const FVector2D& OutputRange, double Value);
 
     /** Towards the target by a fraction of the distance: fast first. Speed 0 or less jumps there. */
     template <typename T1, typename T2, typename T3, typename T4>
@@ -312,7 +324,8 @@ struct FMath : public FPlatformMath {
         if (Dist * Dist < R(UE_SMALL_NUMBER)) {
             return static_cast<R>(Target);
         }
-        return static_cast<R>(static_cast<R>(Current) + Dist * Clamp<R>(static_cast<R>(DeltaTime * InterpSpeed), R(0), R(1)));
+        return static_cast<R>(
+            static_cast<R>(Current) + Dist * Clamp<R>(static_cast<R>(DeltaTime * InterpSpeed), R(0), R(1)));
     }
     /** Towards the target at constant speed. */
     template <typename T1, typename T2, typename T3, typename T4>
@@ -325,41 +338,55 @@ struct FMath : public FPlatformMath {
         const R Step = static_cast<R>(InterpSpeed * DeltaTime);
         return static_cast<R>(static_cast<R>(Current) + Clamp<R>(Dist, -Step, Step));
     }
-    static CORE_API FVector VInterpTo(const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FVector VInterpConstantTo(const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FVector VInterpNormalRotationTo(const FVector& Current, const FVector& Target, float DeltaTime,
-                                                    float RotationSpeedDegrees);
-    static CORE_API FVector2D Vector2DInterpTo(const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FVector2D Vector2DInterpConstantTo(const FVector2D& Current, const FVector2D& Target, float DeltaTime,
-                                                       float InterpSpeed);
-    static CORE_API FRotator RInterpTo(const FRotator& Current, const FRotator& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FRotator RInterpConstantTo(const FRotator& Current, const FRotator& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FVector VInterpTo(
+        const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FVector VInterpConstantTo(
+        const FVector& Current, const FVector& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FVector VInterpNormalRotationTo(
+        const FVector& Current, const FVector& Target, float DeltaTime, float RotationSpeedDegrees);
+    static CORE_API FVector2D Vector2DInterpTo(
+        const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FVector2D Vector2DInterpConstantTo(
+        const FVector2D& Current, const FVector2D& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FRotator RInterpTo(
+        const FRotator& Current, const FRotator& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FRotator RInterpConstantTo(
+        const FRotator& Current, const FRotator& Target, float DeltaTime, float InterpSpeed);
     static CORE_API FQuat QInterpTo(const FQuat& Current, const FQuat& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FQuat QInterpConstantTo(const FQuat& Current, const FQuat& Target, float DeltaTime, float InterpSpeed);
-    static CORE_API FLinearColor CInterpTo(const FLinearColor& Current, const FLinearColor& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FQuat QInterpConstantTo(
+        const FQuat& Current, const FQuat& Target, float DeltaTime, float InterpSpeed);
+    static CORE_API FLinearColor CInterpTo(
+        const FLinearColor& Current, const FLinearColor& Target, float DeltaTime, float InterpSpeed);
 
     // ----- geometry
 
-    static CORE_API FVector LinePlaneIntersection(const FVector& Point1, const FVector& Point2, const FVector& PlaneOrigin,
-                                                  const FVector& PlaneNormal);
+    static CORE_API FVector LinePlaneIntersection(
+        const FVector& Point1, const FVector& Point2, const FVector& PlaneOrigin, const FVector& PlaneNormal);
     static CORE_API FVector LinePlaneIntersection(const FVector& Point1, const FVector& Point2, const FPlane& Plane);
-    static CORE_API FVector RayPlaneIntersection(const FVector& RayOrigin, const FVector& RayDirection, const FPlane& Plane);
-    static CORE_API bool SegmentPlaneIntersection(const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane,
-                                                  FVector& OutIntersectionPoint);
-    static CORE_API bool LineBoxIntersection(const FBox& Box, const FVector& Start, const FVector& End, const FVector& Direction);
-    static CORE_API bool LineSphereIntersection(const FVector& Start, const FVector& Dir, double Length, const FVector& Origin,
-                                                double Radius);
+    static CORE_API FVector RayPlaneIntersection(
+        const FVector& RayOrigin, const FVector& RayDirection, const FPlane& Plane);
+    static CORE_API bool SegmentPlaneIntersection(
+        const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane, FVector& OutIntersectionPoint);
+    static CORE_API bool LineBoxIntersection(
+        const FBox& Box, const FVector& Start, const FVector& End, const FVector& Direction);
+    static CORE_API bool LineSphereIntersection(
+        const FVector& Start, const FVector& Dir, double Length, const FVector& Origin, double Radius);
     static CORE_API bool SphereAABBIntersection(const FVector& SphereCenter, double RadiusSquared, const FBox& AABB);
     static CORE_API bool PointBoxIntersection(const FVector& Point, const FBox& Box);
     static CORE_API FVector ClosestPointOnLine(const FVector& LineStart, const FVector& LineEnd, const FVector& Point);
-    static CORE_API FVector ClosestPointOnInfiniteLine(const FVector& LineStart, const FVector& LineEnd, const FVector& Point);
-    static CORE_API FVector ClosestPointOnSegment(const FVector& Point, const FVector& StartPoint, const FVector& EndPoint);
+    static CORE_API FVector ClosestPointOnInfiniteLine(
+        const FVector& LineStart, const FVector& LineEnd, const FVector& Point);
+    static CORE_API FVector ClosestPointOnSegment(
+        const FVector& Point, const FVector& StartPoint, const FVector& EndPoint);
     static CORE_API double PointDistToLine(const FVector& Point, const FVector& Direction, const FVector& Origin);
     static CORE_API double PointDistToSegment(const FVector& Point, const FVector& StartPoint, const FVector& EndPoint);
-    static CORE_API double PointDistToSegmentSquared(const FVector& Point, const FVector& StartPoint, const FVector& EndPoint);
-    static CORE_API void SegmentDistToSegment(FVector A1, FVector B1, FVector A2, FVector B2, FVector& OutP1, FVector& OutP2);
+    static CORE_API double PointDistToSegmentSquared(
+        const FVector& Point, const FVector& StartPoint, const FVector& EndPoint);
+    static CORE_API void SegmentDistToSegment(
+        FVector A1, FVector B1, FVector A2, FVector B2, FVector& OutP1, FVector& OutP2);
     static CORE_API FVector GetReflectionVector(const FVector& Direction, const FVector& SurfaceNormal);
-    static CORE_API double GetTForSegmentPlaneIntersect(const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane);
+    static CORE_API double GetTForSegmentPlaneIntersect(
+        const FVector& StartPoint, const FVector& EndPoint, const FPlane& Plane);
 
     /** Smooth noise in [-1, 1]. */
     static CORE_API float PerlinNoise1D(float Value);

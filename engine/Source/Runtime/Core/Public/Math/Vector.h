@@ -40,7 +40,8 @@ struct TVector {
     explicit constexpr TVector(T InF) : X(InF), Y(InF), Z(InF) {}
     constexpr TVector(T InX, T InY, T InZ) : X(InX), Y(InY), Z(InZ) {}
     template <typename A>
-    explicit constexpr TVector(const TVector2<A>& V, T InZ = 0) : X(static_cast<T>(V.X)), Y(static_cast<T>(V.Y)), Z(InZ) {}
+    explicit constexpr TVector(const TVector2<A>& V, T InZ = 0)
+        : X(static_cast<T>(V.X)), Y(static_cast<T>(V.Y)), Z(InZ) {}
     constexpr TVector(const TVector4<T>& V);
     explicit constexpr TVector(const FLinearColor& InColor);
     explicit constexpr TVector(FIntVector InVector) : X(T(InVector.X)), Y(T(InVector.Y)), Z(T(InVector.Z)) {}
@@ -48,7 +49,8 @@ struct TVector {
     explicit constexpr TVector(EForceInit) : TVector() {}
     template <typename A>
         requires(!std::is_same_v<A, T>)
-    explicit constexpr TVector(const TVector<A>& From) : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)) {}
+    explicit constexpr TVector(const TVector<A>& From)
+        : X(static_cast<T>(From.X)), Y(static_cast<T>(From.Y)), Z(static_cast<T>(From.Z)) {}
 
     // ----- operators: | is the dot product, ^ the cross product
 
@@ -133,8 +135,12 @@ struct TVector {
     T GetAbsMax() const { return GetAbs().GetMax(); }
     T GetAbsMin() const { return GetAbs().GetMin(); }
     TVector GetAbs() const { return TVector(FMath::Abs(X), FMath::Abs(Y), FMath::Abs(Z)); }
-    TVector ComponentMin(const TVector& O) const { return TVector(FMath::Min(X, O.X), FMath::Min(Y, O.Y), FMath::Min(Z, O.Z)); }
-    TVector ComponentMax(const TVector& O) const { return TVector(FMath::Max(X, O.X), FMath::Max(Y, O.Y), FMath::Max(Z, O.Z)); }
+    TVector ComponentMin(const TVector& O) const {
+        return TVector(FMath::Min(X, O.X), FMath::Min(Y, O.Y), FMath::Min(Z, O.Z));
+    }
+    TVector ComponentMax(const TVector& O) const {
+        return TVector(FMath::Max(X, O.X), FMath::Max(Y, O.Y), FMath::Max(Z, O.Z));
+    }
     static TVector Min(const TVector& A, const TVector& B) { return A.ComponentMin(B); }
     static TVector Max(const TVector& A, const TVector& B) { return A.ComponentMax(B); }
     T Size() const { return FMath::Sqrt(SizeSquared()); }
@@ -207,15 +213,19 @@ struct TVector {
     TVector GetSignVector() const { return TVector(X >= 0 ? 1 : -1, Y >= 0 ? 1 : -1, Z >= 0 ? 1 : -1); }
     TVector Projection() const { return TVector(X / Z, Y / Z, 1); }
     TVector Reciprocal() const {
-        return TVector(X != 0 ? T(1) / X : T(UE_BIG_NUMBER), Y != 0 ? T(1) / Y : T(UE_BIG_NUMBER), Z != 0 ? T(1) / Z : T(UE_BIG_NUMBER));
+        return TVector(X != 0 ? T(1) / X : T(UE_BIG_NUMBER), Y != 0 ? T(1) / Y : T(UE_BIG_NUMBER),
+            Z != 0 ? T(1) / Z : T(UE_BIG_NUMBER));
     }
     TVector GridSnap(const T& GridSz) const {
         return TVector(FMath::GridSnap(X, GridSz), FMath::GridSnap(Y, GridSz), FMath::GridSnap(Z, GridSz));
     }
     TVector BoundToCube(T Radius) const {
-        return TVector(FMath::Clamp(X, -Radius, Radius), FMath::Clamp(Y, -Radius, Radius), FMath::Clamp(Z, -Radius, Radius));
+        return TVector(
+            FMath::Clamp(X, -Radius, Radius), FMath::Clamp(Y, -Radius, Radius), FMath::Clamp(Z, -Radius, Radius));
     }
-    TVector BoundToBox(const TVector& InMin, const TVector& InMax) const { return ComponentMax(InMin).ComponentMin(InMax); }
+    TVector BoundToBox(const TVector& InMin, const TVector& InMax) const {
+        return ComponentMax(InMin).ComponentMin(InMax);
+    }
     TVector GetClampedToSize(T InMin, T InMax) const {
         const T Length_ = Size();
         const TVector Dir = Length_ > T(UE_SMALL_NUMBER) ? *this / Length_ : ZeroVector;
@@ -242,18 +252,22 @@ struct TVector {
 
     // ----- directions
 
-    TVector MirrorByVector(const TVector& MirrorNormal) const { return *this - MirrorNormal * (T(2) * (*this | MirrorNormal)); }
+    TVector MirrorByVector(const TVector& MirrorNormal) const {
+        return *this - MirrorNormal * (T(2) * (*this | MirrorNormal));
+    }
     TVector MirrorByPlane(const TPlane<T>& Plane) const;
     /** Turns about an axis, which must be of length 1. */
-    TVector RotateAngleAxis(T AngleDeg, const TVector& Axis) const { return RotateAngleAxisRad(FMath::DegreesToRadians(AngleDeg), Axis); }
+    TVector RotateAngleAxis(T AngleDeg, const TVector& Axis) const {
+        return RotateAngleAxisRad(FMath::DegreesToRadians(AngleDeg), Axis);
+    }
     TVector RotateAngleAxisRad(T AngleRad, const TVector& Axis) const {
         T S, C;
         FMath::SinCos(&S, &C, AngleRad);
         const T OMC = T(1) - C;
         const TVector& A = Axis;
         return TVector((OMC * A.X * A.X + C) * X + (OMC * A.X * A.Y - A.Z * S) * Y + (OMC * A.Z * A.X + A.Y * S) * Z,
-                       (OMC * A.X * A.Y + A.Z * S) * X + (OMC * A.Y * A.Y + C) * Y + (OMC * A.Y * A.Z - A.X * S) * Z,
-                       (OMC * A.Z * A.X - A.Y * S) * X + (OMC * A.Y * A.Z + A.X * S) * Y + (OMC * A.Z * A.Z + C) * Z);
+            (OMC * A.X * A.Y + A.Z * S) * X + (OMC * A.Y * A.Y + C) * Y + (OMC * A.Y * A.Z - A.X * S) * Z,
+            (OMC * A.Z * A.X - A.Y * S) * X + (OMC * A.Y * A.Z + A.X * S) * Y + (OMC * A.Z * A.Z + C) * Z);
     }
     T CosineAngle2D(TVector B) const {
         TVector A(*this);
@@ -269,7 +283,9 @@ struct TVector {
         return Point - PlaneNorm * PointPlaneDist(Point, PlaneBase, PlaneNorm);
     }
     static TVector PointPlaneProject(const TVector& Point, const TPlane<T>& Plane);
-    static TVector VectorPlaneProject(const TVector& V, const TVector& PlaneNormal) { return V - V.ProjectOnToNormal(PlaneNormal); }
+    static TVector VectorPlaneProject(const TVector& V, const TVector& PlaneNormal) {
+        return V - V.ProjectOnToNormal(PlaneNormal);
+    }
     /** Pitch and yaw of the direction; no roll. */
     TRotator<T> ToOrientationRotator() const;
     TQuat<T> ToOrientationQuat() const;
@@ -303,15 +319,18 @@ struct TVector {
     // ----- text
 
     FString ToString() const {
-        return FString::Printf(TEXT("X=%3.3f Y=%3.3f Z=%3.3f"), static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
+        return FString::Printf(
+            TEXT("X=%3.3f Y=%3.3f Z=%3.3f"), static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
     }
     FText ToText() const { return FText::FromString(ToString()); }
     FString ToCompactString() const {
-        return FString::Printf(TEXT("V(X=%.2f, Y=%.2f, Z=%.2f)"), static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
+        return FString::Printf(
+            TEXT("V(X=%.2f, Y=%.2f, Z=%.2f)"), static_cast<double>(X), static_cast<double>(Y), static_cast<double>(Z));
     }
     /** Reads "X=1 Y=2 Z=3". */
     bool InitFromString(const FString& InSourceString) {
-        return Private::ParseComponent(InSourceString, TEXT("X="), X) && Private::ParseComponent(InSourceString, TEXT("Y="), Y) &&
+        return Private::ParseComponent(InSourceString, TEXT("X="), X) &&
+               Private::ParseComponent(InSourceString, TEXT("Y="), Y) &&
                Private::ParseComponent(InSourceString, TEXT("Z="), Z);
     }
     friend uint32 GetTypeHash(const TVector& V) {
@@ -343,7 +362,7 @@ inline constexpr TVector<T> TVector<T>::ZAxisVector(0, 0, 1);
 
 template <typename T>
 TVector2<T>::TVector2(const TVector<T>& V) : X(V.X), Y(V.Y) {}
-}  // namespace UE::Math
+} // namespace UE::Math
 
 template <typename T>
 inline FString LexToString(const UE::Math::TVector<T>& V) {

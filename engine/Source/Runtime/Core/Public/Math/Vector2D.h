@@ -18,7 +18,7 @@ bool ParseComponent(const FString& Text, const TCHAR* Tag, T& Out) {
     Out = static_cast<T>(FCString::Atod(*Text + Place + FCString::Strlen(Tag)));
     return true;
 }
-}  // namespace Private
+} // namespace Private
 
 template <typename T>
 struct TVector2 {
@@ -109,8 +109,12 @@ struct TVector2 {
     static constexpr T CrossProduct(const TVector2& A, const TVector2& B) { return A ^ B; }
     static T DistSquared(const TVector2& A, const TVector2& B) { return (A - B).SizeSquared(); }
     static T Distance(const TVector2& A, const TVector2& B) { return (A - B).Size(); }
-    static TVector2 Min(const TVector2& A, const TVector2& B) { return TVector2(FMath::Min(A.X, B.X), FMath::Min(A.Y, B.Y)); }
-    static TVector2 Max(const TVector2& A, const TVector2& B) { return TVector2(FMath::Max(A.X, B.X), FMath::Max(A.Y, B.Y)); }
+    static TVector2 Min(const TVector2& A, const TVector2& B) {
+        return TVector2(FMath::Min(A.X, B.X), FMath::Min(A.Y, B.Y));
+    }
+    static TVector2 Max(const TVector2& A, const TVector2& B) {
+        return TVector2(FMath::Max(A.X, B.X), FMath::Max(A.Y, B.Y));
+    }
     bool Equals(const TVector2& V, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
         return FMath::Abs(X - V.X) <= Tolerance && FMath::Abs(Y - V.Y) <= Tolerance;
     }
@@ -139,16 +143,21 @@ struct TVector2 {
     bool IsNearlyZero(T Tolerance = UE_KINDA_SMALL_NUMBER) const { return GetAbsMax() <= Tolerance; }
     bool IsZero() const { return X == 0 && Y == 0; }
     FIntPoint IntPoint() const { return FIntPoint(FMath::RoundToInt32(X), FMath::RoundToInt32(Y)); }
-    TVector2 RoundToVector() const { return TVector2(T(FMath::RoundToDouble(double(X))), T(FMath::RoundToDouble(double(Y)))); }
+    TVector2 RoundToVector() const {
+        return TVector2(T(FMath::RoundToDouble(double(X))), T(FMath::RoundToDouble(double(Y))));
+    }
     TVector2 ClampAxes(T MinAxisVal, T MaxAxisVal) const {
         return TVector2(FMath::Clamp(X, MinAxisVal, MaxAxisVal), FMath::Clamp(Y, MinAxisVal, MaxAxisVal));
     }
     TVector2 GetSignVector() const { return TVector2(X >= 0 ? 1 : -1, Y >= 0 ? 1 : -1); }
     TVector2 GetAbs() const { return TVector2(FMath::Abs(X), FMath::Abs(Y)); }
     bool ContainsNaN() const { return !FMath::IsFinite(X) || !FMath::IsFinite(Y); }
-    FString ToString() const { return FString::Printf(TEXT("X=%3.3f Y=%3.3f"), static_cast<double>(X), static_cast<double>(Y)); }
+    FString ToString() const {
+        return FString::Printf(TEXT("X=%3.3f Y=%3.3f"), static_cast<double>(X), static_cast<double>(Y));
+    }
     bool InitFromString(const FString& InSourceString) {
-        return Private::ParseComponent(InSourceString, TEXT("X="), X) && Private::ParseComponent(InSourceString, TEXT("Y="), Y);
+        return Private::ParseComponent(InSourceString, TEXT("X="), X) &&
+               Private::ParseComponent(InSourceString, TEXT("Y="), Y);
     }
     friend uint32 GetTypeHash(const TVector2& V) { return HashCombine(GetTypeHash(V.X), GetTypeHash(V.Y)); }
 };
@@ -158,4 +167,4 @@ template <typename T>
 inline constexpr TVector2<T> TVector2<T>::UnitVector(1, 1);
 template <typename T>
 inline constexpr TVector2<T> TVector2<T>::Unit45Deg(T(UE_DOUBLE_INV_SQRT_2), T(UE_DOUBLE_INV_SQRT_2));
-}  // namespace UE::Math
+} // namespace UE::Math

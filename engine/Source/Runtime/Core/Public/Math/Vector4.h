@@ -61,8 +61,8 @@ struct alignas(16) TVector4 {
     T operator[](int32 Index) const { return const_cast<TVector4&>(*this)[Index]; }
     T& Component(int32 Index) { return (*this)[Index]; }
     bool Equals(const TVector4& V, T Tolerance = UE_KINDA_SMALL_NUMBER) const {
-        return FMath::Abs(X - V.X) <= Tolerance && FMath::Abs(Y - V.Y) <= Tolerance && FMath::Abs(Z - V.Z) <= Tolerance &&
-               FMath::Abs(W - V.W) <= Tolerance;
+        return FMath::Abs(X - V.X) <= Tolerance && FMath::Abs(Y - V.Y) <= Tolerance &&
+               FMath::Abs(Z - V.Z) <= Tolerance && FMath::Abs(W - V.W) <= Tolerance;
     }
     void Set(T InX, T InY, T InZ, T InW) { *this = TVector4(InX, InY, InZ, InW); }
     /** Of X, Y and Z. */
@@ -80,10 +80,12 @@ struct alignas(16) TVector4 {
         const T Scale = FMath::InvSqrt(Square);
         return TVector4(X * Scale, Y * Scale, Z * Scale, 0);
     }
-    bool ContainsNaN() const { return !FMath::IsFinite(X) || !FMath::IsFinite(Y) || !FMath::IsFinite(Z) || !FMath::IsFinite(W); }
+    bool ContainsNaN() const {
+        return !FMath::IsFinite(X) || !FMath::IsFinite(Y) || !FMath::IsFinite(Z) || !FMath::IsFinite(W);
+    }
     FString ToString() const {
         return FString::Printf(TEXT("X=%3.3f Y=%3.3f Z=%3.3f W=%3.3f"), static_cast<double>(X), static_cast<double>(Y),
-                               static_cast<double>(Z), static_cast<double>(W));
+            static_cast<double>(Z), static_cast<double>(W));
     }
     bool InitFromString(const FString& S) {
         X = Y = Z = 0;
@@ -94,9 +96,10 @@ struct alignas(16) TVector4 {
         return bOk;
     }
     friend uint32 GetTypeHash(const TVector4& V) {
-        return HashCombine(HashCombine(GetTypeHash(V.X), GetTypeHash(V.Y)), HashCombine(GetTypeHash(V.Z), GetTypeHash(V.W)));
+        return HashCombine(
+            HashCombine(GetTypeHash(V.X), GetTypeHash(V.Y)), HashCombine(GetTypeHash(V.Z), GetTypeHash(V.W)));
     }
 };
 template <typename T>
 constexpr TVector<T>::TVector(const TVector4<T>& V) : X(V.X), Y(V.Y), Z(V.Z) {}
-}  // namespace UE::Math
+} // namespace UE::Math

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
  * check, verify and ensure.
- * A failed check prints the expression, the message and a stack trace and aborts. A failed ensure reports once per place
- * and goes on. `*Slow` variants are compiled only where DO_GUARD_SLOW is 1.
+ * A failed check prints the expression, the message and a stack trace and aborts. A failed ensure reports once per
+ * place and goes on. `*Slow` variants are compiled only where DO_GUARD_SLOW is 1.
  */
 #pragma once
 
@@ -12,8 +12,8 @@
 
 struct FDebug {
     /** Reports a failed check and aborts the process. */
-    [[noreturn]] static CORE_API void CheckVerifyFailed(const ANSICHAR* Expr, const ANSICHAR* File, int32 Line,
-                                                        const TCHAR* Format, ...);
+    [[noreturn]] static CORE_API void CheckVerifyFailed(
+        const ANSICHAR* Expr, const ANSICHAR* File, int32 Line, const TCHAR* Format, ...);
     /** Reports a failed ensure; returns false, the value of the ensure expression. */
     static CORE_API bool EnsureFailed(const ANSICHAR* Expr, const ANSICHAR* File, int32 Line, const TCHAR* Format, ...);
     /** Writes the calling thread's stack to stderr. */
@@ -72,13 +72,13 @@ struct FDebug {
 #if DO_ENSURE
 #define UE_ENSURE_IMPL(Always, expr, format, ...)                                                                      \
     (LIKELY(!!(expr)) || ([&]() -> bool {                                                                              \
-         static bool bExecuted = false;                                                                                \
-         if (Always || !bExecuted) {                                                                                   \
-             bExecuted = true;                                                                                         \
-             FDebug::EnsureFailed(#expr, __FILE__, __LINE__, format, ##__VA_ARGS__);                                   \
-         }                                                                                                             \
-         return false;                                                                                                 \
-     }()))
+        static bool bExecuted = false;                                                                                 \
+        if (Always || !bExecuted) {                                                                                    \
+            bExecuted = true;                                                                                          \
+            FDebug::EnsureFailed(#expr, __FILE__, __LINE__, format, ##__VA_ARGS__);                                    \
+        }                                                                                                              \
+        return false;                                                                                                  \
+    }()))
 #define ensure(expr) UE_ENSURE_IMPL(false, expr, TEXT(""))
 #define ensureMsgf(expr, format, ...) UE_ENSURE_IMPL(false, expr, format, ##__VA_ARGS__)
 #define ensureAlways(expr) UE_ENSURE_IMPL(true, expr, TEXT(""))

@@ -14,21 +14,22 @@ enum Type {
     CaseSensitive,
     IgnoreCase,
 };
-}  // namespace ESearchCase
+} // namespace ESearchCase
 namespace ESearchDir {
 enum Type {
     FromStart,
     FromEnd,
 };
-}  // namespace ESearchDir
+} // namespace ESearchDir
 
 namespace UE::Core::Private {
-/** printf for TCHAR. Returns the length, or -1 - (the length it would have needed) if that did not fit with its terminator. */
+/** printf for TCHAR. Returns the length, or -1 - (the length it would have needed) if that did not fit with its
+ * terminator. */
 CORE_API int32 FormatVa(TCHAR* Dest, SIZE_T DestSize, const TCHAR* Format, va_list Args);
 template <typename T>
-inline constexpr bool TIsPrintfArgument = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T> ||
-                                          std::is_same_v<T, decltype(nullptr)>;
-}  // namespace UE::Core::Private
+inline constexpr bool TIsPrintfArgument =
+    std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T> || std::is_same_v<T, decltype(nullptr)>;
+} // namespace UE::Core::Private
 
 template <typename T>
 struct TCString {
@@ -144,7 +145,9 @@ struct TCString {
         return Dest;
     }
 
-    static int32 Atoi(const CharType* String) { return static_cast<int32>(std::strtol(FNarrow(String).Text, nullptr, 10)); }
+    static int32 Atoi(const CharType* String) {
+        return static_cast<int32>(std::strtol(FNarrow(String).Text, nullptr, 10));
+    }
     static int64 Atoi64(const CharType* String) { return std::strtoll(FNarrow(String).Text, nullptr, 10); }
     static float Atof(const CharType* String) { return static_cast<float>(std::strtod(FNarrow(String).Text, nullptr)); }
     static double Atod(const CharType* String) { return std::strtod(FNarrow(String).Text, nullptr); }

@@ -41,12 +41,14 @@ struct TChar {
     static bool IsLower(CharType Char) { return ToUpper(Char) != Char; }
     static bool IsAlpha(CharType Char) {
         const uint32 C = ToUnsigned(Char);
-        return (C >= 'a' && C <= 'z') || (C >= 'A' && C <= 'Z') || (sizeof(CharType) > 1 && C >= 0xC0 && C != 0xD7 && C != 0xF7);
+        return (C >= 'a' && C <= 'z') || (C >= 'A' && C <= 'Z') ||
+               (sizeof(CharType) > 1 && C >= 0xC0 && C != 0xD7 && C != 0xF7);
     }
     static bool IsDigit(CharType Char) { return Char >= CharType('0') && Char <= CharType('9'); }
     static bool IsOctDigit(CharType Char) { return Char >= CharType('0') && Char <= CharType('7'); }
     static bool IsHexDigit(CharType Char) {
-        return IsDigit(Char) || (Char >= CharType('a') && Char <= CharType('f')) || (Char >= CharType('A') && Char <= CharType('F'));
+        return IsDigit(Char) || (Char >= CharType('a') && Char <= CharType('f')) ||
+               (Char >= CharType('A') && Char <= CharType('F'));
     }
     static bool IsAlnum(CharType Char) { return IsAlpha(Char) || IsDigit(Char); }
     static bool IsUnderscore(CharType Char) { return Char == CharType('_'); }

@@ -38,7 +38,7 @@ enum EConstEval { ConstEval };
 namespace UE::Core::Private {
 template <typename T, SIZE_T N>
 char (&ArrayCountHelper(const T (&)[N]))[N];
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 /** Reports a fatal error from places where the log may not exist yet, then aborts. */
 [[noreturn]] CORE_API void LowLevelFatalErrorImpl(const ANSICHAR* File, int32 Line, const TCHAR* Format, ...);

@@ -11,7 +11,8 @@ struct FCrc {
     static uint32 TypeCrc32(const T& Data, uint32 CRC = 0) {
         return MemCrc32(&Data, sizeof(T), CRC);
     }
-    /** Of a terminated string: each character counts as 4 bytes, so the result does not depend on the character type. */
+    /** Of a terminated string: each character counts as 4 bytes, so the result does not depend on the character type.
+     */
     template <typename CharType>
     static uint32 StrCrc32(const CharType* Data, uint32 CRC = 0) {
         for (; *Data; ++Data) {

@@ -23,7 +23,8 @@ enum class EMonthOfYear {
 struct FDateTime {
     constexpr FDateTime() : Ticks(0) {}
     explicit constexpr FDateTime(int64 InTicks) : Ticks(InTicks) {}
-    CORE_API FDateTime(int32 Year, int32 Month, int32 Day, int32 Hour = 0, int32 Minute = 0, int32 Second = 0, int32 Millisecond = 0);
+    CORE_API FDateTime(
+        int32 Year, int32 Month, int32 Day, int32 Hour = 0, int32 Minute = 0, int32 Second = 0, int32 Millisecond = 0);
 
     FDateTime operator+(const FTimespan& O) const { return FDateTime(Ticks + O.GetTicks()); }
     FDateTime operator-(const FTimespan& O) const { return FDateTime(Ticks - O.GetTicks()); }
@@ -53,7 +54,9 @@ struct FDateTime {
     int32 GetMinute() const { return static_cast<int32>(Ticks / ETimespan::TicksPerMinute % 60); }
     int32 GetSecond() const { return static_cast<int32>(Ticks / ETimespan::TicksPerSecond % 60); }
     int32 GetMillisecond() const { return static_cast<int32>(Ticks / ETimespan::TicksPerMillisecond % 1000); }
-    double GetJulianDay() const { return 1721425.5 + static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerDay); }
+    double GetJulianDay() const {
+        return 1721425.5 + static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerDay);
+    }
     int64 ToUnixTimestamp() const { return (Ticks - FDateTime(1970, 1, 1).Ticks) / ETimespan::TicksPerSecond; }
 
     /** "yyyy.mm.dd-hh.mm.ss". */
@@ -70,7 +73,8 @@ struct FDateTime {
     static CORE_API int32 DaysInMonth(int32 Year, int32 Month);
     static int32 DaysInYear(int32 Year) { return IsLeapYear(Year) ? 366 : 365; }
     static bool IsLeapYear(int32 Year) { return Year % 4 == 0 && (Year % 100 != 0 || Year % 400 == 0); }
-    static CORE_API bool Validate(int32 Year, int32 Month, int32 Day, int32 Hour, int32 Minute, int32 Second, int32 Millisecond);
+    static CORE_API bool Validate(
+        int32 Year, int32 Month, int32 Day, int32 Hour, int32 Minute, int32 Second, int32 Millisecond);
     static FDateTime FromUnixTimestamp(int64 UnixTime) {
         return FDateTime(1970, 1, 1) + FTimespan(UnixTime * ETimespan::TicksPerSecond);
     }

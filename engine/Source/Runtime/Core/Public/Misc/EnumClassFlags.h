@@ -23,12 +23,8 @@
     [[maybe_unused]] inline constexpr Enum operator^(Enum Lhs, Enum Rhs) {                                             \
         return (Enum)((std::underlying_type_t<Enum>)Lhs ^ (std::underlying_type_t<Enum>)Rhs);                          \
     }                                                                                                                  \
-    [[maybe_unused]] inline constexpr bool operator!(Enum E) {                                                         \
-        return !(std::underlying_type_t<Enum>)E;                                                                       \
-    }                                                                                                                  \
-    [[maybe_unused]] inline constexpr Enum operator~(Enum E) {                                                         \
-        return (Enum) ~(std::underlying_type_t<Enum>)E;                                                                \
-    }
+    [[maybe_unused]] inline constexpr bool operator!(Enum E) { return !(std::underlying_type_t<Enum>)E; }              \
+    [[maybe_unused]] inline constexpr Enum operator~(Enum E) { return (Enum) ~(std::underlying_type_t<Enum>)E; }
 
 #define FRIEND_ENUM_CLASS_FLAGS(Enum)                                                                                  \
     friend constexpr Enum& operator|=(Enum& Lhs, Enum Rhs);                                                            \

@@ -28,7 +28,9 @@ class FStaticSelfRegisteringExec : public FSelfRegisteringExec {
 public:
     using FFunction = bool(UWorld* InWorld, const TCHAR* Cmd, FOutputDevice& Ar);
     explicit FStaticSelfRegisteringExec(FFunction* InStaticExecFunc) : StaticExecFunc(InStaticExecFunc) {}
-    bool Exec(UWorld* InWorld, const TCHAR* Cmd, FOutputDevice& Ar) override { return StaticExecFunc(InWorld, Cmd, Ar); }
+    bool Exec(UWorld* InWorld, const TCHAR* Cmd, FOutputDevice& Ar) override {
+        return StaticExecFunc(InWorld, Cmd, Ar);
+    }
 
 private:
     FFunction* StaticExecFunc;

@@ -25,12 +25,12 @@ struct FFileHelper {
     static CORE_API bool LoadFileToStringArray(TArray<FString>& Result, const TCHAR* Filename);
     /** Decodes bytes as a file's would be. */
     static CORE_API void BufferToString(FString& Result, const uint8* Buffer, int32 Size);
-    static CORE_API bool SaveArrayToFile(TArrayView<const uint8> Array, const TCHAR* Filename, IFileManager* FileManager = nullptr,
-                                         uint32 WriteFlags = 0);
+    static CORE_API bool SaveArrayToFile(TArrayView<const uint8> Array, const TCHAR* Filename,
+        IFileManager* FileManager = nullptr, uint32 WriteFlags = 0);
     static CORE_API bool SaveStringToFile(FStringView String, const TCHAR* Filename,
-                                          EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect,
-                                          IFileManager* FileManager = nullptr, uint32 WriteFlags = 0);
+        EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect, IFileManager* FileManager = nullptr,
+        uint32 WriteFlags = 0);
     static CORE_API bool SaveStringArrayToFile(const TArray<FString>& Lines, const TCHAR* Filename,
-                                               EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect,
-                                               IFileManager* FileManager = nullptr, uint32 WriteFlags = 0);
+        EEncodingOptions EncodingOptions = EEncodingOptions::AutoDetect, IFileManager* FileManager = nullptr,
+        uint32 WriteFlags = 0);
 };

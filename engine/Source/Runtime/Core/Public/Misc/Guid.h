@@ -43,7 +43,7 @@ struct FGuid {
     static CORE_API FGuid NewDeterministicGuid(FStringView ObjectPath, uint64 Seed = 0);
     /** Text form for reflection: 32 hexadecimal digits. */
     bool ExportTextItem(FString& ValueStr, const FGuid& DefaultValue, class UObject* Parent, int32 PortFlags,
-                        class UObject* ExportRootScope) const {
+        class UObject* ExportRootScope) const {
         ValueStr += ToString();
         return true;
     }
@@ -66,9 +66,5 @@ struct FGuid {
     static CORE_API bool ParseExact(const FString& GuidString, EGuidFormats Format, FGuid& OutGuid);
     friend uint32 GetTypeHash(const FGuid& Guid) { return FCrc::MemCrc32(&Guid, sizeof(Guid)); }
 };
-inline FString LexToString(const FGuid& Value) {
-    return Value.ToString();
-}
-inline void LexFromString(FGuid& Result, const TCHAR* String) {
-    FGuid::Parse(String, Result);
-}
+inline FString LexToString(const FGuid& Value) { return Value.ToString(); }
+inline void LexFromString(FGuid& Result, const TCHAR* String) { FGuid::Parse(String, Result); }

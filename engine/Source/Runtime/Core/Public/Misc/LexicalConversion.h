@@ -19,15 +19,9 @@ FString LexToString(const T& Value) {
         return FString::Printf(TEXT("%llu"), static_cast<unsigned long long>(Value));
     }
 }
-inline FString LexToString(const FString& Value) {
-    return Value;
-}
-inline FString LexToString(FString&& Value) {
-    return MoveTemp(Value);
-}
-inline FString LexToString(const TCHAR* Value) {
-    return FString(Value);
-}
+inline FString LexToString(const FString& Value) { return Value; }
+inline FString LexToString(FString&& Value) { return MoveTemp(Value); }
+inline FString LexToString(const TCHAR* Value) { return FString(Value); }
 template <typename T>
     requires(std::is_enum_v<T>)
 FString LexToString(const T& Value) {
@@ -56,9 +50,7 @@ void LexFromString(T& OutValue, const TCHAR* Buffer) {
         OutValue = static_cast<T>(FCString::Strtoui64(Buffer, nullptr, 10));
     }
 }
-inline void LexFromString(FString& OutValue, const TCHAR* Buffer) {
-    OutValue = Buffer;
-}
+inline void LexFromString(FString& OutValue, const TCHAR* Buffer) { OutValue = Buffer; }
 /** Converts if the text is a number (or, for bool and FString, whatever it is). */
 template <typename T>
 bool LexTryParseString(T& OutValue, const TCHAR* Buffer) {

@@ -76,27 +76,29 @@ public:
     bool IsSet() const { return bIsSet; }
     explicit operator bool() const { return bIsSet; }
     OptionalType& GetValue() {
-        checkf(bIsSet, TEXT("It is an error to call GetValue() on an unset TOptional. Check IsSet() or use Get(DefaultValue)."));
+        checkf(bIsSet,
+            TEXT("It is an error to call GetValue() on an unset TOptional. Check IsSet() or use Get(DefaultValue)."));
         return *Storage.GetTypedPtr();
     }
     const OptionalType& GetValue() const {
-        checkf(bIsSet, TEXT("It is an error to call GetValue() on an unset TOptional. Check IsSet() or use Get(DefaultValue)."));
+        checkf(bIsSet,
+            TEXT("It is an error to call GetValue() on an unset TOptional. Check IsSet() or use Get(DefaultValue)."));
         return *Storage.GetTypedPtr();
     }
     OptionalType* operator->() { return &GetValue(); }
     const OptionalType* operator->() const { return &GetValue(); }
     OptionalType& operator*() { return GetValue(); }
     const OptionalType& operator*() const { return GetValue(); }
-    const OptionalType& Get(const OptionalType& DefaultValue) const { return bIsSet ? *Storage.GetTypedPtr() : DefaultValue; }
+    const OptionalType& Get(const OptionalType& DefaultValue) const {
+        return bIsSet ? *Storage.GetTypedPtr() : DefaultValue;
+    }
     OptionalType* GetPtrOrNull() { return bIsSet ? Storage.GetTypedPtr() : nullptr; }
     const OptionalType* GetPtrOrNull() const { return bIsSet ? Storage.GetTypedPtr() : nullptr; }
 
     bool operator==(const TOptional& Other) const {
         return bIsSet == Other.bIsSet && (!bIsSet || *Storage.GetTypedPtr() == *Other.Storage.GetTypedPtr());
     }
-    friend uint32 GetTypeHash(const TOptional& Optional) {
-        return Optional.bIsSet ? GetTypeHashHelper(*Optional) : 0;
-    }
+    friend uint32 GetTypeHash(const TOptional& Optional) { return Optional.bIsSet ? GetTypeHashHelper(*Optional) : 0; }
 
 private:
     TTypeCompatibleBytes<OptionalType> Storage;

@@ -14,7 +14,8 @@ public:
 
     virtual void Serialize(const TCHAR* V, ELogVerbosity::Type Verbosity, const FName& Category) = 0;
     /** Time in seconds since the start, or -1 if unknown. */
-    virtual void Serialize(const TCHAR* V, ELogVerbosity::Type Verbosity, const FName& Category, const double /*Time*/) {
+    virtual void Serialize(
+        const TCHAR* V, ELogVerbosity::Type Verbosity, const FName& Category, const double /*Time*/) {
         Serialize(V, Verbosity, Category);
     }
     virtual void Flush() {}
@@ -26,7 +27,9 @@ public:
     void Log(const FString& S) { Log(*S); }
     void Log(ELogVerbosity::Type Verbosity, const TCHAR* S) { Serialize(S, Verbosity, FName(TEXT("LogOutputDevice"))); }
     void Log(ELogVerbosity::Type Verbosity, const FString& S) { Log(Verbosity, *S); }
-    void Log(const FName& Category, ELogVerbosity::Type Verbosity, const FString& S) { Serialize(*S, Verbosity, Category); }
+    void Log(const FName& Category, ELogVerbosity::Type Verbosity, const FString& S) {
+        Serialize(*S, Verbosity, Category);
+    }
 
     template <typename FmtType, typename... Types>
         requires std::is_convertible_v<const FmtType&, const TCHAR*>

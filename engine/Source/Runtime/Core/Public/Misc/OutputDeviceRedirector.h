@@ -14,7 +14,8 @@ public:
     CORE_API void RemoveOutputDevice(FOutputDevice* OutputDevice);
     CORE_API bool IsRedirectingTo(FOutputDevice* OutputDevice);
     CORE_API void Serialize(const TCHAR* Data, ELogVerbosity::Type Verbosity, const FName& Category) override;
-    CORE_API void Serialize(const TCHAR* Data, ELogVerbosity::Type Verbosity, const FName& Category, const double Time) override;
+    CORE_API void Serialize(
+        const TCHAR* Data, ELogVerbosity::Type Verbosity, const FName& Category, const double Time) override;
     CORE_API void Flush() override;
     void FlushThreadedLogs() {}
     void SetCurrentThreadAsPrimaryThread() {}

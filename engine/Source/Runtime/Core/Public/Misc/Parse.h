@@ -8,11 +8,12 @@ class FOutputDevice;
 struct FGuid;
 
 struct FParse {
-    /** The value after Match (which ends with '=', as in "Name="), at a word's beginning; quoted values may have blanks. */
-    static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, FString& Value, bool bShouldStopOnSeparator = true,
-                               const TCHAR** OptStreamGotTo = nullptr);
-    static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, TCHAR* Value, int32 MaxLen, bool bShouldStopOnSeparator = true,
-                               const TCHAR** OptStreamGotTo = nullptr);
+    /** The value after Match (which ends with '=', as in "Name="), at a word's beginning; quoted values may have
+     * blanks. */
+    static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, FString& Value,
+        bool bShouldStopOnSeparator = true, const TCHAR** OptStreamGotTo = nullptr);
+    static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, TCHAR* Value, int32 MaxLen,
+        bool bShouldStopOnSeparator = true, const TCHAR** OptStreamGotTo = nullptr);
     static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, FName& Name);
     static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, FText& Text, const TCHAR* Namespace = nullptr);
     static CORE_API bool Value(const TCHAR* Stream, const TCHAR* Match, FGuid& Guid);

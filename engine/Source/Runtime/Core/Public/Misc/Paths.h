@@ -44,7 +44,8 @@ public:
     static CORE_API FString MakeValidFileName(const FString& InString, const TCHAR InReplacementChar = 0);
     static CORE_API bool IsSamePath(const FString& PathA, const FString& PathB);
     static CORE_API bool IsUnderDirectory(const FString& InPath, const FString& InDirectory);
-    static CORE_API FString CreateTempFilename(const TCHAR* Path, const TCHAR* Prefix = TEXT(""), const TCHAR* Extension = TEXT(".tmp"));
+    static CORE_API FString CreateTempFilename(
+        const TCHAR* Path, const TCHAR* Prefix = TEXT(""), const TCHAR* Extension = TEXT(".tmp"));
     /** Joins with exactly one '/' between parts. */
     template <typename... PathTypes>
     static FString Combine(PathTypes&&... InPaths) {

@@ -20,7 +20,7 @@ struct FScopeGuardSyntaxSupport {
         return TScopeGuard<FuncType>(static_cast<FuncType&&>(InFunc));
     }
 };
-}  // namespace ScopeExitSupport
+} // namespace ScopeExitSupport
 
 #define ON_SCOPE_EXIT                                                                                                  \
     [[maybe_unused]] const auto PREPROCESSOR_JOIN(ScopeGuard_, __LINE__) =                                             \

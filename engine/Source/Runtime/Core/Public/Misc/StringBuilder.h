@@ -85,12 +85,15 @@ public:
         check(Position >= 0 && Count >= 0 && Position + Count <= Len());
         const int32 Tail = Len() - Position - Count;
         EnsureCapacity(Str.Len());
-        FMemory::Memmove(Base + Position + Str.Len(), Base + Position + Count, static_cast<SIZE_T>(Tail) * sizeof(CharType));
+        FMemory::Memmove(
+            Base + Position + Str.Len(), Base + Position + Count, static_cast<SIZE_T>(Tail) * sizeof(CharType));
         FMemory::Memcpy(Base + Position, Str.GetData(), Str.NumBytes());
         Cur += Str.Len() - Count;
     }
 
-    friend TStringBuilderBase& operator<<(TStringBuilderBase& Builder, const FString& Str) { return Builder.Append(Str); }
+    friend TStringBuilderBase& operator<<(TStringBuilderBase& Builder, const FString& Str) {
+        return Builder.Append(Str);
+    }
     template <typename C>
     friend TStringBuilderBase& operator<<(TStringBuilderBase& Builder, TStringView<C> View) {
         return Builder.Append(View);
@@ -122,7 +125,8 @@ private:
         if (End - Cur < Required + 1) {
             const int32 Length = Len();
             const int32 NewCapacity = (Length + Required + 1) * 2;
-            CharType* NewBase = static_cast<CharType*>(FMemory::Malloc(static_cast<SIZE_T>(NewCapacity) * sizeof(CharType)));
+            CharType* NewBase =
+                static_cast<CharType*>(FMemory::Malloc(static_cast<SIZE_T>(NewCapacity) * sizeof(CharType)));
             FMemory::Memcpy(NewBase, Base, static_cast<SIZE_T>(Length) * sizeof(CharType));
             if (bIsDynamic) {
                 FMemory::Free(Base);

@@ -6,7 +6,9 @@
 
 class FStringOutputDevice : public FString, public FOutputDevice {
 public:
-    explicit FStringOutputDevice(const TCHAR* InitialText = TEXT("")) : FString(InitialText) { bAutoEmitLineTerminator = false; }
+    explicit FStringOutputDevice(const TCHAR* InitialText = TEXT("")) : FString(InitialText) {
+        bAutoEmitLineTerminator = false;
+    }
     void Serialize(const TCHAR* InData, ELogVerbosity::Type, const FName&) override {
         FString::operator+=(InData);
         if (bAutoEmitLineTerminator) {

@@ -13,13 +13,14 @@ inline constexpr int64 TicksPerMillisecond = 10000;
 inline constexpr int64 TicksPerMinute = 600000000;
 inline constexpr int64 TicksPerSecond = 10000000;
 inline constexpr int64 NanosecondsPerTick = 100;
-}  // namespace ETimespan
+} // namespace ETimespan
 
 struct FTimespan {
     constexpr FTimespan() : Ticks(0) {}
     explicit constexpr FTimespan(int64 InTicks) : Ticks(InTicks) {}
     constexpr FTimespan(int32 Hours, int32 Minutes, int32 Seconds) : FTimespan(0, Hours, Minutes, Seconds, 0) {}
-    constexpr FTimespan(int32 Days, int32 Hours, int32 Minutes, int32 Seconds) : FTimespan(Days, Hours, Minutes, Seconds, 0) {}
+    constexpr FTimespan(int32 Days, int32 Hours, int32 Minutes, int32 Seconds)
+        : FTimespan(Days, Hours, Minutes, Seconds, 0) {}
     constexpr FTimespan(int32 Days, int32 Hours, int32 Minutes, int32 Seconds, int32 FractionNano)
         : Ticks(Days * ETimespan::TicksPerDay + Hours * ETimespan::TicksPerHour + Minutes * ETimespan::TicksPerMinute +
                 Seconds * ETimespan::TicksPerSecond + FractionNano / ETimespan::NanosecondsPerTick) {}
@@ -27,8 +28,12 @@ struct FTimespan {
     constexpr FTimespan operator+(const FTimespan& O) const { return FTimespan(Ticks + O.Ticks); }
     constexpr FTimespan operator-(const FTimespan& O) const { return FTimespan(Ticks - O.Ticks); }
     constexpr FTimespan operator-() const { return FTimespan(-Ticks); }
-    FTimespan operator*(double Scalar) const { return FTimespan(static_cast<int64>(static_cast<double>(Ticks) * Scalar)); }
-    FTimespan operator/(double Scalar) const { return FTimespan(static_cast<int64>(static_cast<double>(Ticks) / Scalar)); }
+    FTimespan operator*(double Scalar) const {
+        return FTimespan(static_cast<int64>(static_cast<double>(Ticks) * Scalar));
+    }
+    FTimespan operator/(double Scalar) const {
+        return FTimespan(static_cast<int64>(static_cast<double>(Ticks) / Scalar));
+    }
     FTimespan& operator+=(const FTimespan& O) {
         Ticks += O.Ticks;
         return *this;
@@ -45,17 +50,31 @@ struct FTimespan {
     int32 GetHours() const { return static_cast<int32>(Ticks / ETimespan::TicksPerHour % 24); }
     int32 GetMinutes() const { return static_cast<int32>(Ticks / ETimespan::TicksPerMinute % 60); }
     int32 GetSeconds() const { return static_cast<int32>(Ticks / ETimespan::TicksPerSecond % 60); }
-    int32 GetFractionMilli() const { return static_cast<int32>(Ticks % ETimespan::TicksPerSecond / ETimespan::TicksPerMillisecond); }
-    int32 GetFractionMicro() const { return static_cast<int32>(Ticks % ETimespan::TicksPerSecond / ETimespan::TicksPerMicrosecond); }
-    int32 GetFractionNano() const { return static_cast<int32>(Ticks % ETimespan::TicksPerSecond * ETimespan::NanosecondsPerTick); }
+    int32 GetFractionMilli() const {
+        return static_cast<int32>(Ticks % ETimespan::TicksPerSecond / ETimespan::TicksPerMillisecond);
+    }
+    int32 GetFractionMicro() const {
+        return static_cast<int32>(Ticks % ETimespan::TicksPerSecond / ETimespan::TicksPerMicrosecond);
+    }
+    int32 GetFractionNano() const {
+        return static_cast<int32>(Ticks % ETimespan::TicksPerSecond * ETimespan::NanosecondsPerTick);
+    }
     int32 GetFractionTicks() const { return static_cast<int32>(Ticks % ETimespan::TicksPerSecond); }
     FTimespan GetDuration() const { return FTimespan(Ticks < 0 ? -Ticks : Ticks); }
     double GetTotalDays() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerDay); }
     double GetTotalHours() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerHour); }
-    double GetTotalMinutes() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMinute); }
-    double GetTotalSeconds() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerSecond); }
-    double GetTotalMilliseconds() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMillisecond); }
-    double GetTotalMicroseconds() const { return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMicrosecond); }
+    double GetTotalMinutes() const {
+        return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMinute);
+    }
+    double GetTotalSeconds() const {
+        return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerSecond);
+    }
+    double GetTotalMilliseconds() const {
+        return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMillisecond);
+    }
+    double GetTotalMicroseconds() const {
+        return static_cast<double>(Ticks) / static_cast<double>(ETimespan::TicksPerMicrosecond);
+    }
     bool IsZero() const { return Ticks == 0; }
     /** "[-][d.]hh:mm:ss.fff". */
     CORE_API FString ToString() const;
@@ -67,7 +86,8 @@ struct FTimespan {
     static FTimespan FromHours(double Hours) { return FromSeconds(Hours * 3600.0); }
     static FTimespan FromMinutes(double Minutes) { return FromSeconds(Minutes * 60.0); }
     static FTimespan FromSeconds(double Seconds) {
-        return FTimespan(static_cast<int64>(std::floor(Seconds * static_cast<double>(ETimespan::TicksPerSecond) + 0.5)));
+        return FTimespan(
+            static_cast<int64>(std::floor(Seconds * static_cast<double>(ETimespan::TicksPerSecond) + 0.5)));
     }
     static FTimespan FromMilliseconds(double Milliseconds) { return FromSeconds(Milliseconds * 1e-3); }
     static FTimespan FromMicroseconds(double Microseconds) { return FromSeconds(Microseconds * 1e-6); }
@@ -82,6 +102,4 @@ struct FTimespan {
 private:
     int64 Ticks;
 };
-inline FTimespan operator*(double Scalar, const FTimespan& Timespan) {
-    return Timespan * Scalar;
-}
+inline FTimespan operator*(double Scalar, const FTimespan& Timespan) { return Timespan * Scalar; }

@@ -12,7 +12,14 @@
 
 typedef IModuleInterface* (*FInitializeModuleFunctionPtr)();
 
-enum class EModuleLoadResult { Success, FileNotFound, FileIncompatible, CouldNotBeLoadedByOS, FailedToInitialize, NotLoadedByGameCode };
+enum class EModuleLoadResult {
+    Success,
+    FileNotFound,
+    FileIncompatible,
+    CouldNotBeLoadedByOS,
+    FailedToInitialize,
+    NotLoadedByGameCode
+};
 enum class EModuleChangeReason { ModuleLoaded, ModuleUnloaded, PluginDirectoryChanged };
 enum class ELoadModuleFlags : uint32 { None = 0, LogFailures = 1 << 0 };
 ENUM_CLASS_FLAGS(ELoadModuleFlags)
@@ -27,16 +34,17 @@ struct FModuleStatus {
 class FModuleManager {
 public:
     DECLARE_EVENT_TwoParams(FModuleManager, FModulesChangedEvent, FName, EModuleChangeReason)
-    DECLARE_EVENT_TwoParams(FModuleManager, ProcessLoadedObjectsEvent, FName, bool)
+        DECLARE_EVENT_TwoParams(FModuleManager, ProcessLoadedObjectsEvent, FName, bool)
 
-    static CORE_API FModuleManager& Get();
+            static CORE_API FModuleManager& Get();
 
     /** Loads a module and those it links with. Null if it cannot be; the log says why. */
-    CORE_API IModuleInterface* LoadModule(const FName InModuleName, ELoadModuleFlags InLoadModuleFlags = ELoadModuleFlags::LogFailures);
+    CORE_API IModuleInterface* LoadModule(
+        const FName InModuleName, ELoadModuleFlags InLoadModuleFlags = ELoadModuleFlags::LogFailures);
     /** The same, and fails a check if it cannot be. */
     CORE_API IModuleInterface& LoadModuleChecked(const FName InModuleName);
-    CORE_API IModuleInterface* LoadModuleWithFailureReason(const FName InModuleName, EModuleLoadResult& OutFailureReason,
-                                                           ELoadModuleFlags InLoadModuleFlags = ELoadModuleFlags::None);
+    CORE_API IModuleInterface* LoadModuleWithFailureReason(const FName InModuleName,
+        EModuleLoadResult& OutFailureReason, ELoadModuleFlags InLoadModuleFlags = ELoadModuleFlags::None);
     template <typename TModuleInterface>
     static TModuleInterface& LoadModuleChecked(const FName InModuleName) {
         return static_cast<TModuleInterface&>(Get().LoadModuleChecked(InModuleName));
@@ -75,8 +83,8 @@ public:
 
     FModulesChangedEvent& OnModulesChanged() { return ModulesChangedEvent; }
     /**
-     * Broadcast after a library was loaded and before its StartupModule: CoreUObject makes the new classes and their default
-     * objects here. The module's name (none at engine start) and whether new objects may be processed now.
+     * Broadcast after a library was loaded and before its StartupModule: CoreUObject makes the new classes and their
+     * default objects here. The module's name (none at engine start) and whether new objects may be processed now.
      */
     ProcessLoadedObjectsEvent& OnProcessLoadedObjectsCallback() { return ProcessLoadedObjectsCallback; }
     /** Processes the classes of the modules that the program itself links with (module name NAME_None). */
@@ -113,9 +121,7 @@ public:
 /** Put once in a module: its library's entry point, which makes the module object. */
 #define IMPLEMENT_MODULE(ModuleImplClass, ModuleName)                                                                  \
     extern "C" DLLEXPORT IModuleInterface* SpearUE_InitializeModule_##ModuleName();                                    \
-    extern "C" DLLEXPORT IModuleInterface* SpearUE_InitializeModule_##ModuleName() {                                   \
-        return new ModuleImplClass();                                                                                  \
-    }
+    extern "C" DLLEXPORT IModuleInterface* SpearUE_InitializeModule_##ModuleName() { return new ModuleImplClass(); }
 #define IMPLEMENT_GAME_MODULE(ModuleImplClass, ModuleName) IMPLEMENT_MODULE(ModuleImplClass, ModuleName)
 #define IMPLEMENT_PRIMARY_GAME_MODULE(ModuleImplClass, ModuleName, DeprecatedGameName)                                 \
     IMPLEMENT_GAME_MODULE(ModuleImplClass, ModuleName)

@@ -41,7 +41,7 @@ bool IsBoundCallable(const T& Callable) {
 template <typename Ret, typename... Params>
 struct TFunctionOps {
     Ret (*Call)(void* Object, Params&&... Args);
-    void (*Move)(void* Dest, void* Src);  // constructs Dest and destroys Src
+    void (*Move)(void* Dest, void* Src); // constructs Dest and destroys Src
     void (*Copy)(void* Dest, const void* Src);
     void (*Destroy)(void* Object);
 };
@@ -180,7 +180,7 @@ private:
 
 template <typename F, typename Ret, typename... Params>
 concept CCallableAs = std::is_invocable_r_v<Ret, std::decay_t<F>&, Params...>;
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 
 /** Borrowed callable, for parameters: valid only while the callable it was made of lives. */
 template <typename Ret, typename... Params>
@@ -197,7 +197,8 @@ public:
                 return reinterpret_cast<F*>(Object)(static_cast<Params&&>(Args)...);
             };
         } else {
-            checkf(UE::Core::Private::IsBoundCallable(InFunc), TEXT("Cannot bind a null/unbound callable to a TFunctionRef"));
+            checkf(UE::Core::Private::IsBoundCallable(InFunc),
+                TEXT("Cannot bind a null/unbound callable to a TFunctionRef"));
             Ptr = const_cast<void*>(static_cast<const void*>(std::addressof(InFunc)));
             Callable = [](void* Object, Params&&... Args) -> Ret {
                 if constexpr (std::is_void_v<Ret>) {

@@ -40,7 +40,8 @@ public:
     }
     TRefCountPtr(const TRefCountPtr& Copy) : TRefCountPtr(Copy.Reference) {}
     template <typename Other>
-    explicit TRefCountPtr(const TRefCountPtr<Other>& Copy) : TRefCountPtr(static_cast<ReferencedType*>(Copy.GetReference())) {}
+    explicit TRefCountPtr(const TRefCountPtr<Other>& Copy)
+        : TRefCountPtr(static_cast<ReferencedType*>(Copy.GetReference())) {}
     TRefCountPtr(TRefCountPtr&& Move) : Reference(Move.Reference) { Move.Reference = nullptr; }
     ~TRefCountPtr() {
         if (Reference) {

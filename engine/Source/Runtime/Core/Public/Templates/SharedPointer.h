@@ -26,16 +26,13 @@ public:
 
     /** Takes ownership of an object made with new. */
     template <class OtherType>
-    explicit TSharedRef(OtherType* InObject)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
-        : Object(InObject),
-          Referencer(new SharedPointerInternals::TReferenceControllerWithDeleter<
-                     OtherType, SharedPointerInternals::TDefaultDeleter<OtherType>, Mode>(InObject, {})) {
+    explicit TSharedRef(OtherType* InObject) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+        : Object(InObject), Referencer(new SharedPointerInternals::TReferenceControllerWithDeleter<OtherType,
+                                SharedPointerInternals::TDefaultDeleter<OtherType>, Mode>(InObject, {})) {
         Init(InObject);
     }
     template <class OtherType, typename DeleterType>
-    TSharedRef(OtherType* InObject, DeleterType&& InDeleter)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedRef(OtherType* InObject, DeleterType&& InDeleter) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(InObject), Referencer(MakeReferencer(InObject, Forward<DeleterType>(InDeleter))) {
         Init(InObject);
     }
@@ -50,8 +47,7 @@ public:
     TSharedRef(const TSharedRef&) = default;
     TSharedRef(TSharedRef&& Other) : Object(Other.Object), Referencer(Other.Referencer) {}
     template <class OtherType>
-    TSharedRef(const TSharedRef<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedRef(const TSharedRef<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     /** Shares ownership with Other while pointing to another (part of the same) object. */
     template <class OtherType>
@@ -77,8 +73,10 @@ public:
     friend uint32 GetTypeHash(const TSharedRef& Ref) { return PointerHash(static_cast<const void*>(Ref.Object)); }
 
     /** For MakeShared: adopts a controller that already holds one strong reference. */
-    static TSharedRef AdoptInternal(ObjectType* InObject, SharedPointerInternals::TReferenceControllerBase<InMode>* Controller) {
-        TSharedRef Result(InObject, SharedPointerInternals::FSharedReferencer<InMode>(Controller), SharedPointerInternals::FNullTag());
+    static TSharedRef AdoptInternal(
+        ObjectType* InObject, SharedPointerInternals::TReferenceControllerBase<InMode>* Controller) {
+        TSharedRef Result(InObject, SharedPointerInternals::FSharedReferencer<InMode>(Controller),
+            SharedPointerInternals::FNullTag());
         Result.Init(InObject);
         return Result;
     }
@@ -123,8 +121,7 @@ public:
         }
     }
     template <class OtherType, typename DeleterType>
-    TSharedPtr(OtherType* InObject, DeleterType&& InDeleter)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedPtr(OtherType* InObject, DeleterType&& InDeleter) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(nullptr) {
         if (InObject) {
             *this = TSharedRef<OtherType, Mode>(InObject, Forward<DeleterType>(InDeleter));
@@ -143,18 +140,15 @@ public:
         Other.Object = nullptr;
     }
     template <class OtherType>
-    TSharedPtr(const TSharedPtr<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedPtr(const TSharedPtr<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     template <class OtherType>
-    TSharedPtr(TSharedPtr<OtherType, Mode>&& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedPtr(TSharedPtr<OtherType, Mode>&& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(MoveTemp(Other.Referencer)) {
         Other.Object = nullptr;
     }
     template <class OtherType>
-    TSharedPtr(const TSharedRef<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TSharedPtr(const TSharedRef<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     /** Shares ownership with Other while pointing to another (part of the same) object. */
     template <class OtherType>
@@ -209,7 +203,7 @@ public:
 
 private:
     TSharedPtr(ObjectType* InObject, SharedPointerInternals::FSharedReferencer<InMode> InReferencer,
-               SharedPointerInternals::FNullTag)
+        SharedPointerInternals::FNullTag)
         : Object(InObject), Referencer(MoveTemp(InReferencer)) {}
 
     ObjectType* Object;
@@ -227,16 +221,13 @@ public:
 
     TWeakPtr(SharedPointerInternals::FNullTag* = nullptr) : Object(nullptr) {}
     template <class OtherType>
-    TWeakPtr(const TSharedRef<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TWeakPtr(const TSharedRef<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     template <class OtherType>
-    TWeakPtr(const TSharedPtr<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TWeakPtr(const TSharedPtr<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     template <class OtherType>
-    TWeakPtr(const TWeakPtr<OtherType, Mode>& Other)
-        UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
+    TWeakPtr(const TWeakPtr<OtherType, Mode>& Other) UE_SHARED_CONVERTIBLE(OtherType, ObjectType)
         : Object(Other.Object), Referencer(Other.Referencer) {}
     TWeakPtr(const TWeakPtr&) = default;
     TWeakPtr(TWeakPtr&&) = default;

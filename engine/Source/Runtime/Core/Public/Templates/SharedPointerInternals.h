@@ -221,4 +221,4 @@ void EnableSharedFromThis(const TSharedRef<ObjectType, Mode>* Ref, const TShared
     }
 }
 inline void EnableSharedFromThis(...) {}
-}  // namespace SharedPointerInternals
+} // namespace SharedPointerInternals

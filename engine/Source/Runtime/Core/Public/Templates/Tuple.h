@@ -38,12 +38,14 @@ struct TTuple {
     template <typename FuncType, typename... ArgTypes>
     decltype(auto) ApplyAfter(FuncType&& Func, ArgTypes&&... Args) const {
         return std::apply(
-            [&](const Types&... Values) -> decltype(auto) { return Func(Forward<ArgTypes>(Args)..., Values...); }, Elements);
+            [&](const Types&... Values) -> decltype(auto) { return Func(Forward<ArgTypes>(Args)..., Values...); },
+            Elements);
     }
     template <typename FuncType, typename... ArgTypes>
     decltype(auto) ApplyBefore(FuncType&& Func, ArgTypes&&... Args) const {
         return std::apply(
-            [&](const Types&... Values) -> decltype(auto) { return Func(Values..., Forward<ArgTypes>(Args)...); }, Elements);
+            [&](const Types&... Values) -> decltype(auto) { return Func(Values..., Forward<ArgTypes>(Args)...); },
+            Elements);
     }
     bool operator==(const TTuple& Other) const { return Elements == Other.Elements; }
     bool operator<(const TTuple& Other) const { return Elements < Other.Elements; }
@@ -51,7 +53,7 @@ struct TTuple {
     friend uint32 GetTypeHash(const TTuple& Tuple) {
         uint32 Hash = 0;
         std::apply([&](const Types&... Values) { ((Hash = HashCombine(Hash, GetTypeHashHelper(Values))), ...); },
-                   Tuple.Elements);
+            Tuple.Elements);
         return Hash;
     }
 
@@ -77,7 +79,7 @@ struct TTuple<InKeyType, InValueType> {
     TTuple(K&& InKey, V&& InValue) : Key(Forward<K>(InKey)), Value(Forward<V>(InValue)) {}
     template <typename K, typename V>
         requires(std::is_constructible_v<InKeyType, const K&> && std::is_constructible_v<InValueType, const V&> &&
-                 !(std::is_same_v<K, InKeyType> && std::is_same_v<V, InValueType>))
+                    !(std::is_same_v<K, InKeyType> && std::is_same_v<V, InValueType>))
     TTuple(const TTuple<K, V>& Other) : Key(Other.Key), Value(Other.Value) {}
 
     template <uint32 Index>
@@ -99,9 +101,7 @@ struct TTuple<InKeyType, InValueType> {
         }
     }
     bool operator==(const TTuple& Other) const { return Key == Other.Key && Value == Other.Value; }
-    bool operator<(const TTuple& Other) const {
-        return Key < Other.Key || (!(Other.Key < Key) && Value < Other.Value);
-    }
+    bool operator<(const TTuple& Other) const { return Key < Other.Key || (!(Other.Key < Key) && Value < Other.Value); }
     friend uint32 GetTypeHash(const TTuple& Pair) {
         return HashCombine(GetTypeHashHelper(Pair.Key), GetTypeHashHelper(Pair.Value));
     }

@@ -30,16 +30,12 @@ inline constexpr uint32 HashCombine(uint32 A, uint32 C) {
     return C;
 }
 /** A cheaper mix, not to be stored. */
-inline constexpr uint32 HashCombineFast(uint32 A, uint32 B) {
-    return A ^ (B + 0x9e3779b9 + (A << 6) + (A >> 2));
-}
+inline constexpr uint32 HashCombineFast(uint32 A, uint32 B) { return A ^ (B + 0x9e3779b9 + (A << 6) + (A >> 2)); }
 inline uint32 PointerHash(const void* Key) {
     const uint64 Bits = static_cast<uint64>(reinterpret_cast<UPTRINT>(Key)) >> 4;
     return static_cast<uint32>(Bits ^ (Bits >> 32)) * 0x9e3779b1u;
 }
-inline uint32 PointerHash(const void* Key, uint32 C) {
-    return HashCombine(PointerHash(Key), C);
-}
+inline uint32 PointerHash(const void* Key, uint32 C) { return HashCombine(PointerHash(Key), C); }
 
 template <typename T>
     requires(std::is_integral_v<T>)
@@ -54,7 +50,7 @@ constexpr uint32 GetTypeHash(const T Value) {
 inline uint32 GetTypeHash(float Value) {
     uint32 Bits;
     if (Value == 0.0f) {
-        Value = 0.0f;  // -0 and 0 are equal
+        Value = 0.0f; // -0 and 0 are equal
     }
     __builtin_memcpy(&Bits, &Value, sizeof(Bits));
     return Bits;
@@ -77,9 +73,7 @@ template <typename T>
 uint32 GetTypeHash(T* Value) {
     return PointerHash(static_cast<const void*>(Value));
 }
-inline uint32 GetTypeHash(decltype(nullptr)) {
-    return 0;
-}
+inline uint32 GetTypeHash(decltype(nullptr)) { return 0; }
 
 /** Calls GetTypeHash; exists so that classes with a member of that name can reach the function. */
 template <typename T>

@@ -43,7 +43,8 @@ public:
     TUniquePtr(TUniquePtr&& Other) : Deleter(MoveTemp(Other.GetDeleter())), Ptr(Other.Release()) {}
     template <typename OtherT, typename OtherDeleter>
         requires(std::is_convertible_v<OtherT*, T*> && !std::is_array_v<OtherT>)
-    TUniquePtr(TUniquePtr<OtherT, OtherDeleter>&& Other) : Deleter(MoveTemp(Other.GetDeleter())), Ptr(Other.Release()) {}
+    TUniquePtr(TUniquePtr<OtherT, OtherDeleter>&& Other)
+        : Deleter(MoveTemp(Other.GetDeleter())), Ptr(Other.Release()) {}
     TUniquePtr(const TUniquePtr&) = delete;
     TUniquePtr& operator=(const TUniquePtr&) = delete;
 
@@ -137,7 +138,7 @@ public:
         T* Old = Ptr;
         Ptr = InPtr;
         if (Old) {
-            static_cast<Deleter&> (*this)(Old);
+            static_cast<Deleter&>(*this)(Old);
         }
     }
 

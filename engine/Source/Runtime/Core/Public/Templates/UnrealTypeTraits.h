@@ -37,7 +37,7 @@ struct TBoolTrait {
     static constexpr bool value = B;
     static constexpr bool Value = B;
 };
-}  // namespace UE::Core::Private
+} // namespace UE::Core::Private
 #define UE_CORE_TRAIT(Name, ...)                                                                                       \
     template <typename T>                                                                                              \
     struct Name : UE::Core::Private::TBoolTrait<__VA_ARGS__> {}
@@ -145,7 +145,8 @@ struct TCallTraits {
     typedef T ValueType;
     typedef T& Reference;
     typedef const T& ConstReference;
-    typedef std::conditional_t<(std::is_arithmetic_v<T> || std::is_pointer_v<T> || std::is_enum_v<T>), const T, const T&>
+    typedef std::conditional_t<(std::is_arithmetic_v<T> || std::is_pointer_v<T> || std::is_enum_v<T>), const T,
+        const T&>
         ParamType;
     typedef std::conditional_t<std::is_pointer_v<T>, const std::remove_pointer_t<T>*, const T> ConstPointerType;
 };

@@ -11,7 +11,7 @@
 
 /** External number of a name without number. */
 #define NAME_NO_NUMBER_INTERNAL 0
-#define NAME_INTERNAL_TO_EXTERNAL(x) ((x)-1)
+#define NAME_INTERNAL_TO_EXTERNAL(x) ((x) - 1)
 #define NAME_EXTERNAL_TO_INTERNAL(x) ((x) + 1)
 #define NAME_NO_NUMBER NAME_INTERNAL_TO_EXTERNAL(NAME_NO_NUMBER_INTERNAL)
 
@@ -90,22 +90,26 @@ public:
     bool IsValidIndexFast() const { return true; }
     /** Has the name none of those characters? */
     CORE_API bool IsValidXName(const FString& InvalidChars = INVALID_NAME_CHARACTERS, FText* OutReason = nullptr,
-                               const FText* InErrorCtx = nullptr) const;
+        const FText* InErrorCtx = nullptr) const;
     static CORE_API bool IsValidXName(const FString& InName, const FString& InInvalidChars, FText* OutReason = nullptr,
-                                      const FText* InErrorCtx = nullptr);
+        const FText* InErrorCtx = nullptr);
     bool IsValidObjectName(FText& OutReason) const { return IsValidXName(INVALID_OBJECTNAME_CHARACTERS, &OutReason); }
 
-    bool operator==(const FName& Other) const { return ComparisonIndex == Other.ComparisonIndex && Number == Other.Number; }
+    bool operator==(const FName& Other) const {
+        return ComparisonIndex == Other.ComparisonIndex && Number == Other.Number;
+    }
     bool operator==(EName Name) const { return *this == FName(Name); }
     bool operator==(const TCHAR* Other) const { return ToString() == Other; }
     bool operator==(const ANSICHAR* Other) const { return ToString() == FString(Other); }
-    CORE_API bool IsEqual(const FName& Other, ENameCase CompareMethod = ENameCase::IgnoreCase, bool bCompareNumber = true) const;
+    CORE_API bool IsEqual(
+        const FName& Other, ENameCase CompareMethod = ENameCase::IgnoreCase, bool bCompareNumber = true) const;
     /** Alphabetical without case, then by number. */
     CORE_API int32 Compare(const FName& Other) const;
     int32 CompareIndexes(const FName& Other) const { return FastLess(Other) ? -1 : (*this == Other ? 0 : 1); }
     bool LexicalLess(const FName& Other) const { return Compare(Other) < 0; }
     bool FastLess(const FName& Other) const {
-        return ComparisonIndex == Other.ComparisonIndex ? Number < Other.Number : ComparisonIndex.FastLess(Other.ComparisonIndex);
+        return ComparisonIndex == Other.ComparisonIndex ? Number < Other.Number
+                                                        : ComparisonIndex.FastLess(Other.ComparisonIndex);
     }
     uint64 ToUnstableInt() const { return (static_cast<uint64>(Number) << 32) | ComparisonIndex.ToUnstableInt(); }
     /** "bMyFlag" to "My Flag", as property names are shown to people. */
@@ -114,7 +118,9 @@ public:
     static CORE_API int32 GetNumNames();
 
     friend uint32 GetTypeHash(const FName& Name) { return GetTypeHash(Name.ComparisonIndex) + Name.Number; }
-    friend FStringBuilderBase& operator<<(FStringBuilderBase& Builder, const FName& Name) { return Builder << Name.ToString(); }
+    friend FStringBuilderBase& operator<<(FStringBuilderBase& Builder, const FName& Name) {
+        return Builder << Name.ToString();
+    }
 
 private:
     FNameEntryId ComparisonIndex;
@@ -123,12 +129,8 @@ private:
 };
 static_assert(sizeof(FName) == 12);
 
-inline FString LexToString(const FName& Name) {
-    return Name.ToString();
-}
-inline void LexFromString(FName& Name, const TCHAR* Str) {
-    Name = FName(Str);
-}
+inline FString LexToString(const FName& Name) { return Name.ToString(); }
+inline void LexFromString(FName& Name, const TCHAR* Str) { Name = FName(Str); }
 
 /** Order for sorted lists that people see. */
 struct FNameLexicalLess {
