@@ -303,8 +303,8 @@ TSpearResult<ObjectRef> FindOneElement(
         Names += (Index ? ", " : "") + ToUtf8(Found.GetValue()[Index]->GetName());
     }
     return MakeError(ErrorCode::AmbiguousName,
-        "there are " + std::to_string(Found.GetValue().size()) + " such: more than one " + Wanted + " (" + Names +
-            (Found.GetValue().size() > MostNames ? ", ..." : "") + ")",
+        "more than one " + Wanted + ": there are " + std::to_string(Found.GetValue().size()) + " (" + Names +
+            (Found.GetValue().size() > MostNames ? ", ..." : "") + "). Ask for the list, or narrow it down by class or name",
         Key == EKey::Class ? "class" : KeyText(Key));
 }
 
