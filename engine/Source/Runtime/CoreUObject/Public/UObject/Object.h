@@ -19,7 +19,7 @@ struct FObjectInstancingGraph;
  * Base class of all reflected objects. Made only by NewObject and CreateDefaultSubobject, destroyed only by garbage
  * collection.
  */
-class UObject : public UObjectBaseUtility {
+class COREUOBJECT_API UObject : public UObjectBaseUtility {
     DECLARE_CLASS(UObject, UObject, CLASS_Abstract | CLASS_MatchedSerializers, CASTCLASS_None,
         TEXT("/Script/CoreUObject"), COREUOBJECT_API)
     DEFINE_DEFAULT_OBJECT_INITIALIZER_CONSTRUCTOR_CALL(UObject)
