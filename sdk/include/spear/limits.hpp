@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Every limit of SPEAR, in one table. Each one has a test that exceeds it (tests/end_to_end/limits). Client and server compile
-// the same table; the server enforces it, because a client is never trusted.
+// Every limit of SPEAR, in one table. Client and server compile the same table; the server enforces it, because a client is never
+// trusted. Each limit wants a test that exceeds it (tests/end_to_end/server_robustness.cpp); still without one are
+// max_announcements, max_type_weight, max_kept_results, max_sessions and max_queued_bytes.
 
 #include <cstddef>
 #include <cstdint>
