@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ast.h"
 
+#include "constants.h"
 #include "prelude.h"
 
 #include <clang-c/Index.h>
@@ -8,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 
@@ -72,6 +75,8 @@ std::size_t offset_of(CXSourceLocation location) {
 
 } // namespace
 
+std::string clang_version() { return take(clang_getClangVersion()); }
+
 Defines default_defines() {
     return {{"CPP", "0"}, {"WITH_EDITOR", "1"}, {"WITH_EDITORONLY_DATA", "1"}, {"WITH_METADATA", "1"},
         {"WITH_ENGINE", "1"}, {"WITH_HOT_RELOAD", "1"}, {"WITH_SERVER_CODE", "1"}, {"UE_BUILD_DEVELOPMENT", "1"},
@@ -134,11 +139,26 @@ struct AstEntry {
 
 using Entries = std::unordered_map<std::size_t, AstEntry>;
 
+// Also true inside a macro's expansion in this file.
+bool is_main_file(CXSourceLocation location) {
+    CXFile file = nullptr;
+    clang_getFileLocation(location, &file, nullptr, nullptr, nullptr);
+    return file && take(clang_getFileName(file)) == main_name;
+}
+
 CXChildVisitResult visit(CXCursor cursor, CXCursor, CXClientData data) {
-    if (!clang_Location_isFromMainFile(clang_getCursorLocation(cursor)))
-        return CXChildVisit_Continue;
     Entries& entries = *static_cast<Entries*>(data);
     CXCursorKind kind = clang_getCursorKind(cursor);
+    if (!clang_Location_isFromMainFile(clang_getCursorLocation(cursor))) {
+        // What the prelude's delegate macros made counts, as it is written here.
+        bool parameter = kind == CXCursor_ParmDecl;
+        CXCursor function = parameter ? clang_getCursorSemanticParent(cursor) : cursor;
+        bool delegate = (parameter || kind == CXCursor_CXXMethod) && is_main_file(clang_getCursorLocation(cursor)) &&
+                        take(clang_getCursorSpelling(function)) == delegate_function;
+        if (!delegate)
+            return kind == CXCursor_StructDecl && is_main_file(clang_getCursorLocation(cursor)) ? CXChildVisit_Recurse
+                                                                                                 : CXChildVisit_Continue;
+    }
     switch (kind) {
     case CXCursor_FieldDecl:
     case CXCursor_VarDecl:
@@ -221,15 +241,17 @@ public:
         for (const ByteRange& range : header_.blanks)
             blank(text_, range.begin, range.end);
         names_ = used_names(header_);
+        for (const ConstantFacts& constant : find_constants(header_.lexed))
+            own_constants_.insert(constant.name);
         for (const Enum& e : header_.enums)
             for (const EnumEntry& entry : e.entries)
-                need_constants(entry.value_text);
+                need_constants(entry.value_text, e.name);
         for (const Class& c : header_.classes)
             for (const Property& p : c.properties)
-                need_constants(p.array_text);
+                need_constants(p.array_text, c.name);
         for (const Struct& s : header_.structs)
             for (const Property& p : s.properties)
-                need_constants(p.array_text);
+                need_constants(p.array_text, s.name);
         for (statistics_.rounds = 1; statistics_.rounds <= 5; ++statistics_.rounds) {
             if (!parse_once())
                 break;
@@ -244,27 +266,30 @@ public:
     }
 
 private:
-    // Enums of other headers that a constant expression names.
-    void need_constants(const std::string& expression) {
-        if (expression.empty())
-            return;
-        SourceText source(expression);
-        for (const Token& token : lex(source, {}).tokens) {
-            if (!token.identifier())
-                continue;
-            std::string word(token.text);
-            if (const TypeInfo* info = registry_.find(word); info && info->kind == TypeKind::enum_) {
-                names_.insert(word);
-                continue;
+    // Enums and constants of other headers that a constant expression names.
+    void need_constants(const std::string& expression, const std::string& scope) {
+        for (const std::string& name : names_in(expression)) {
+            std::size_t colon = name.rfind("::");
+            std::string last = colon == std::string::npos ? name : name.substr(colon + 2);
+            std::string space = colon == std::string::npos ? "" : name.substr(0, colon);
+            bool is_enum = false;
+            for (const std::string& owner : registry_.enums_with_entry(last)) {
+                const TypeInfo* info = registry_.find(owner);
+                if (info && (space.empty() ? info->form == "regular" : space == owner || space == info->cpp_type)) {
+                    names_.insert(owner);
+                    is_enum = true;
+                }
             }
-            for (const auto& [name, info] : registry_.types())
-                if (info.kind == TypeKind::enum_ && info.form == "regular" && info.entries.contains(word))
-                    names_.insert(name);
+            bool own = own_constants_.contains(name) || own_constants_.contains(scope + "::" + name);
+            if (is_enum || own || prelude_knows(name) || space.find("::") != std::string::npos)
+                continue;
+            if (auto value = registry_.constant(name, scope))
+                constants_[space][last] = *value;
         }
     }
 
     bool parse_once() {
-        std::string prelude_text = prelude(header_, registry_, names_, macros_);
+        std::string prelude_text = prelude(header_, registry_, names_, macros_, constants_);
         unit_ = parse(text_, &prelude_text, defines_,
             CXTranslationUnit_SkipFunctionBodies | CXTranslationUnit_KeepGoing | CXTranslationUnit_Incomplete);
         entries_.clear();
@@ -282,6 +307,8 @@ private:
         bool fresh = false;
         unsigned n = clang_getNumDiagnostics(unit_.get());
         std::set<std::string> defined(header_.defined_names.begin(), header_.defined_names.end());
+        for (const Delegate& d : header_.delegates)
+            defined.insert(d.name);
         for (unsigned i = 0; i < n; ++i) {
             CXDiagnostic diagnostic = clang_getDiagnostic(unit_.get(), i);
             std::string message = take(clang_getDiagnosticSpelling(diagnostic));
@@ -346,6 +373,15 @@ private:
         return good;
     }
 
+    // The prelude makes each delegate macro a struct with a function of its signature, at the macro's place.
+    bool check_delegate(const Delegate& d, bool report) {
+        bool good = check_one(d.name, d.macro_token, d.line, d.return_type, false, report);
+        for (const Parameter& p : d.parameters)
+            if (!p.name.empty())
+                good &= check_one(d.name + "(" + p.name + ")", p.name_offset, d.line, p.type, true, report);
+        return good;
+    }
+
     bool check_record(const Record& r, bool report) {
         bool good = true;
         for (const Function& f : r.functions)
@@ -364,6 +400,8 @@ private:
         }
         for (const Struct& s : header_.structs)
             good &= check_record(s, report);
+        for (const Delegate& d : header_.delegates)
+            good &= check_delegate(d, report);
         return good;
     }
 
@@ -382,39 +420,66 @@ private:
         return false;
     }
 
+    // clang's value, our own where clang lacks a part, a report entry where neither can tell.
     void array_sizes() {
-        auto fill = [&](Property& p) {
-            auto it = entries_.find(p.name_offset);
-            if (!p.array_text.empty() && it != entries_.end() && it->second.array_size > 0)
-                p.array_size = static_cast<int>(it->second.array_size);
+        auto fill = [&](std::vector<Property>& properties, const std::string& scope) {
+            for (Property& p : properties) {
+                if (p.array_text.empty())
+                    continue;
+                auto it = entries_.find(p.name_offset);
+                bool found = it != entries_.end() && it->second.array_size > 0 && !has_error(p.array_range);
+                std::optional<long long> computed = registry_.evaluate(p.array_text, scope);
+                if (found)
+                    p.array_size = static_cast<int>(it->second.array_size);
+                else if (computed && *computed > 0 && *computed <= std::numeric_limits<int>::max())
+                    p.array_size = static_cast<int>(*computed);
+                else
+                    report_.warning("array-dimension", header_.path, p.line, scope + "::" + p.cpp_name,
+                        fmt::format("array dimension '{}' is unknown here; 1 is written", p.array_text));
+                if (found && computed && *computed != *p.array_size)
+                    report_.warning("array-dimension", header_.path, p.line, scope + "::" + p.cpp_name,
+                        fmt::format("array dimension '{}' is {} to clang and {} by the text; {} is written",
+                            p.array_text, *p.array_size, *computed, *p.array_size));
+            }
         };
         for (Class& c : header_.classes)
-            std::for_each(c.properties.begin(), c.properties.end(), fill);
+            fill(c.properties, c.name);
         for (Struct& s : header_.structs)
-            std::for_each(s.properties.begin(), s.properties.end(), fill);
+            fill(s.properties, s.name);
     }
 
     void enum_values() {
         for (Enum& e : header_.enums) {
+            const TypeInfo* info = registry_.find(e.name);
+            if (!info || info->kind != TypeKind::enum_)
+                continue;
+            const auto& computed = registry_.entries_of(*info);
+            bool same = computed.size() == e.entries.size(); // else another declaration of this name is kept
             long long next = 0;
-            for (EnumEntry& entry : e.entries) {
+            for (std::size_t i = 0; i < e.entries.size(); ++i) {
+                EnumEntry& entry = e.entries[i];
                 auto it = entries_.find(entry.name_offset);
                 bool found = it != entries_.end() && it->second.kind == CXCursor_EnumConstantDecl &&
                              !(entry.value_range.end > 0 && has_error(entry.value_range));
-                if (found) {
-                    entry.value = it->second.value;
-                } else {
-                    char* stop = nullptr;
-                    long long value = std::strtoll(entry.value_text.c_str(), &stop, 0);
-                    bool number = !entry.value_text.empty() && *stop == '\0';
-                    entry.value = number ? value : next;
-                    if (!number && !entry.value_text.empty())
-                        report_.rule("enum-value", header_.path, entry.line, e.name + "::" + entry.name,
-                            fmt::format("value '{}' could not be computed; {} is assumed", entry.value_text, next));
-                }
-                next = *entry.value + 1;
+                std::optional<long long> value = same ? computed[i].second : std::nullopt;
+                entry.value = found ? it->second.value : value.value_or(next);
+                if (!found && !value && !entry.value_text.empty())
+                    report_.rule("enum-value", header_.path, entry.line, e.name + "::" + entry.name,
+                        fmt::format("value '{}' could not be computed; {} is assumed", entry.value_text, next));
+                if (found && value && !same_value(*value, it->second.value))
+                    report_.warning("enum-value", header_.path, entry.line, e.name + "::" + entry.name,
+                        fmt::format("value '{}' is {} to clang and {} by the text; {} is written", entry.value_text,
+                            it->second.value, *value, it->second.value));
+                next = static_cast<long long>(static_cast<unsigned long long>(*entry.value) + 1);
             }
         }
+    }
+
+    // -1 in an unsigned enum is its largest value.
+    static bool same_value(long long a, long long b) {
+        return a == b || static_cast<std::uint32_t>(a) == static_cast<std::uint64_t>(b) ||
+               static_cast<std::uint16_t>(a) == static_cast<std::uint64_t>(b) ||
+               static_cast<std::uint8_t>(a) == static_cast<std::uint64_t>(b);
     }
 
     Header& header_;
@@ -422,7 +487,8 @@ private:
     const Defines& defines_;
     Report& report_;
     std::string text_;
-    std::set<std::string> names_, macros_;
+    std::set<std::string> names_, macros_, own_constants_;
+    PreludeConstants constants_;
     Unit unit_;
     Entries entries_;
     AstStatistics statistics_;

@@ -20,6 +20,9 @@ using Defines = std::map<std::string, std::string>;
 // The macros UHT sees, before --define.
 Defines default_defines();
 
+// libclang's version text.
+std::string clang_version();
+
 // The branches of the conditions that are inactive under `defines`.
 std::vector<ByteRange> inactive_branches(const SourceText& source, const std::vector<Directive>& directives,
     const ConditionMap& conditions, const Defines& defines);

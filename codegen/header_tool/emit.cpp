@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <ostream>
 #include <tuple>
 
 namespace spear::header_tool {
@@ -41,6 +44,18 @@ std::string reflected(const std::string& name) {
     return out.starts_with("DEPRECATED_") ? out.substr(11) : out;
 }
 
+// JSON text whose lines after the first start `depth` blanks deeper.
+std::string indented(const json& value, std::size_t depth) {
+    std::string flat = value.dump(2, ' ', false, json::error_handler_t::replace), out;
+    out.reserve(flat.size() * 2);
+    for (char c : flat) {
+        out += c;
+        if (c == '\n')
+            out.append(depth, ' ');
+    }
+    return out;
+}
+
 std::string script_path(const std::string& module, const std::string& name) { return "/Script/" + module + "." + name; }
 
 class Emitter {
@@ -48,28 +63,33 @@ public:
     Emitter(const Header& header, const Registry& registry, Report& report)
         : header_(header), registry_(registry), report_(report) {}
 
-    HeaderJson run() {
-        HeaderJson out;
+    std::vector<Fragment> run() {
         for (const Class& c : header_.classes)
-            if (mine(c.name, &c))
-                out.classes.push_back(class_json(c));
+            if (mine(c))
+                add(Fragment::Kind::class_, class_json(c));
         for (const Struct& s : header_.structs)
-            if (mine(s.name, &s))
-                out.structs.push_back(struct_json(s));
+            if (mine(s))
+                add(Fragment::Kind::struct_, struct_json(s));
         for (const Enum& e : header_.enums)
-            if (mine(e.name, &e))
-                out.enums.push_back(enum_json(e));
+            if (mine(e))
+                add(Fragment::Kind::enum_, enum_json(e));
         for (const Delegate& d : header_.delegates)
-            out.delegates.push_back(delegate_json(d));
-        return out;
+            add(Fragment::Kind::delegate, delegate_json(d));
+        return std::move(fragments_);
     }
 
 private:
+    void add(Fragment::Kind kind, const json& entity) {
+        if (entity.is_null())
+            return;
+        // An entity is an element of an array that is a member of the document: two levels deep.
+        fragments_.push_back({kind, entity.at("name"), entity.at("path"), indented(entity, 4)});
+    }
+
     // False for a second declaration of a name (already reported).
-    bool mine(const std::string& name, const void* declaration) const {
-        const TypeInfo* info = registry_.find(name);
-        return info &&
-               (info->class_decl == declaration || info->struct_decl == declaration || info->enum_decl == declaration);
+    template <class Type>
+    bool mine(const Type& declaration) const {
+        return registry_.is_kept(declaration.name, header_.path, declaration.line);
     }
 
     json source_of(const Declared& d) const {
@@ -106,31 +126,10 @@ private:
             report_.note("unresolved-super", header_.path, line, name, text);
     }
 
-    // 1 without a C array; the dimension's value if it is a number or a known enumerator.
-    int array_dim(const std::string& text, unsigned line, const std::string& subject) const {
-        if (text.empty())
-            return 1;
-        char* stop = nullptr;
-        long value = std::strtol(text.c_str(), &stop, 0);
-        if (*stop == '\0' && value > 0)
-            return static_cast<int>(value);
-        std::string word;
-        for (char c : text) {
-            if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ':')
-                word += c;
-            else
-                word.clear();
-        }
-        std::string entry = word.substr(word.rfind(':') + 1);
-        std::string scope = word.find("::") == std::string::npos ? "" : word.substr(0, word.find("::"));
-        for (const auto& [name, info] : registry_.types())
-            if (info.enum_decl && (scope.empty() || scope == name) && info.entries.contains(entry))
-                for (const EnumEntry& e : info.enum_decl->entries)
-                    if (e.name == entry && e.value.value_or(0) > 0)
-                        return static_cast<int>(*e.value);
-        report_.warning("unresolved-type", header_.path, line, subject,
-            fmt::format("array dimension '{}' is unknown here; 1 is written", text));
-        return 1;
+    // Of a parameter (strict mode refuses C arrays there).
+    int array_dim(const std::string& text, const std::string& owner) const {
+        long long size = text.empty() ? 1 : registry_.evaluate(text, owner).value_or(1);
+        return size > 0 && size <= std::numeric_limits<int>::max() ? static_cast<int>(size) : 1;
     }
 
     struct Signature {
@@ -174,7 +173,7 @@ private:
                 }
             }
             out.parameters.push_back({{"name", p.name}, {"type", type_json(node)}, {"flags", flags},
-                {"array_dim", array_dim(p.array_text, f.line, subject)}, {"editor", editor}, {"source", source}});
+                {"array_dim", array_dim(p.array_text, owner)}, {"editor", editor}, {"source", source}});
             out.nodes.emplace_back(flags, node);
         }
         if (!(f.return_type.name == "void" && f.return_type.pointers == 0)) {
@@ -220,8 +219,8 @@ private:
             {"editor", {{"meta", meta}}}, {"source", source}};
     }
 
-    json property_json(const Property& p, const std::string& owner, const std::string& type_name) const {
-        std::string subject = type_name + "::" + p.cpp_name;
+    json property_json(const Property& p, const Record& r, const std::string& owner) const {
+        std::string subject = r.name + "::" + p.cpp_name;
         TypeNode node = registry_.resolve(p.type, {owner, p.specifiers.has("BlueprintAssignable"), p.bits.has_value()});
         if (p.type.reference != Reference::none) {
             node.kind.clear();
@@ -250,7 +249,7 @@ private:
         if (node.kind == "object" || node.kind == "class")
             source["pointer"] = node.object_ptr ? "TObjectPtr" : "raw";
         json out = {{"name", name}, {"type", type_json(node)}, {"flags", property_flags(p, node)},
-            {"array_dim", p.array_size ? *p.array_size : array_dim(p.array_text, p.line, subject)},
+            {"array_dim", p.array_size.value_or(1)},
             {"editor", {{"meta", property_meta(p, node, registry_, header_)}}}};
         if (const Specifier* notify = p.specifiers.find("ReplicatedUsing"))
             out["rep_notify"] = notify->value.value_or("");
@@ -265,8 +264,7 @@ private:
             bool get = which[0] == 'G';
             std::string fallback = get ? (node.kind == "bool" ? "Is" : "Get") + plain : "Set" + plain;
             if (get && node.kind == "bool") {
-                const TypeInfo* info = registry_.find(owner);
-                bool is = info && info->class_decl && info->class_decl->declares.contains("Is" + plain);
+                bool is = !owner.empty() && r.declares.contains("Is" + plain);
                 fallback = (is ? "Is" : "Get") + plain;
             }
             std::string accessor = item->value.value_or("");
@@ -282,7 +280,7 @@ private:
     json properties_json(const Record& r, const std::string& owner) const {
         json out = json::array();
         for (const Property& p : r.properties)
-            if (json property = property_json(p, owner, r.name); !property.is_null())
+            if (json property = property_json(p, r, owner); !property.is_null())
                 out.push_back(property);
         return out;
     }
@@ -406,50 +404,54 @@ private:
     const Header& header_;
     const Registry& registry_;
     Report& report_;
+    std::vector<Fragment> fragments_;
 };
 
 } // namespace
 
-HeaderJson emit_header(const Header& header, const Registry& registry, Report& report) {
+std::vector<Fragment> emit_header(const Header& header, const Registry& registry, Report& report) {
     return Emitter(header, registry, report).run();
 }
 
-json emit_document(const std::vector<ModuleInfo>& modules, const std::vector<std::unique_ptr<Header>>& headers,
-    std::vector<HeaderJson>& parts) {
+void emit_document(std::ostream& out, const std::vector<ModuleInfo>& modules, const std::vector<HeaderEntry>& headers,
+    const std::vector<const Fragment*>& fragments) {
+    std::map<std::string, json> files; // module -> headers
+    for (const HeaderEntry& h : headers)
+        files[h.module].push_back(
+            {{"path", h.path}, {"include", h.include}, {"generated", h.generated}, {"types", h.types}});
     json list = json::array();
     for (const ModuleInfo& m : modules) {
-        json files = json::array();
-        for (const auto& h : headers)
-            if (h->module == m.name && h->reflected)
-                files.push_back({{"path", h->relative}, {"include", h->include}, {"generated", h->generated},
-                    {"types", h->type_names}});
-        std::sort(files.begin(), files.end(), [](const json& a, const json& b) { return a.at("path") < b.at("path"); });
-        json source = {{"path", m.path}, {"headers", files}};
+        if (!m.written)
+            continue;
+        json own = files.contains(m.name) ? std::move(files[m.name]) : json::array();
+        std::sort(own.begin(), own.end(), [](const json& a, const json& b) { return a.at("path") < b.at("path"); });
+        json source = {{"path", m.path}, {"headers", std::move(own)}};
         if (!m.build_cs.empty())
             source["build_cs"] = m.build_cs;
-        list.push_back({{"name", m.name}, {"source", source}});
+        list.push_back({{"name", m.name}, {"source", std::move(source)}});
     }
-    auto sorted = [](std::vector<json>& items) {
-        std::erase_if(items, [](const json& item) { return item.is_null(); });
-        std::sort(items.begin(), items.end(), [](const json& a, const json& b) {
-            return std::tie(a.at("name").get_ref<const std::string&>(), a.at("path").get_ref<const std::string&>()) <
-                   std::tie(b.at("name").get_ref<const std::string&>(), b.at("path").get_ref<const std::string&>());
-        });
-        return json(std::move(items));
+    std::vector<const Fragment*> sorted = fragments;
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Fragment* a, const Fragment* b) {
+        return std::tie(a->kind, a->name, a->path) < std::tie(b->kind, b->name, b->path);
+    });
+    auto entities = [&](const char* key, Fragment::Kind kind) {
+        out << "  \"" << key << "\": [";
+        const char* separator = "\n    ";
+        for (const Fragment* f : sorted)
+            if (f->kind == kind) {
+                out << separator << f->text;
+                separator = ",\n    ";
+            }
+        out << (*separator == ',' ? "\n  ],\n" : "],\n");
     };
-    std::vector<json> classes, structs, enums, delegates;
-    auto move_all = [](std::vector<json>& from, std::vector<json>& to) {
-        std::move(from.begin(), from.end(), std::back_inserter(to));
-    };
-    for (HeaderJson& part : parts) {
-        move_all(part.classes, classes);
-        move_all(part.structs, structs);
-        move_all(part.enums, enums);
-        move_all(part.delegates, delegates);
-    }
-    return {{"format", "spear-schema"}, {"version", 1}, {"origin", "offline"}, {"modules", list},
-        {"classes", sorted(classes)}, {"structs", sorted(structs)}, {"enums", sorted(enums)},
-        {"delegates", sorted(delegates)}};
+    out << "{\n";
+    entities("classes", Fragment::Kind::class_);
+    entities("delegates", Fragment::Kind::delegate);
+    entities("enums", Fragment::Kind::enum_);
+    out << "  \"format\": \"spear-schema\",\n  \"modules\": " << indented(list, 2) << ",\n";
+    out << "  \"origin\": \"offline\",\n";
+    entities("structs", Fragment::Kind::struct_);
+    out << "  \"version\": 1\n}\n";
 }
 
 } // namespace spear::header_tool

@@ -8,27 +8,40 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace spear::header_tool {
 
-// The entities one header declares.
-struct HeaderJson {
-    std::vector<nlohmann::json> classes, structs, enums, delegates;
+// One class, struct, enum or delegate of the schema, as JSON text at its place in the document.
+struct Fragment {
+    enum class Kind : std::uint8_t { class_, struct_, enum_, delegate };
+    Kind kind = Kind::class_;
+    std::string name, path; // what the document is sorted by
+    std::string text;
 };
 
-HeaderJson emit_header(const Header& header, const Registry& registry, Report& report);
+// The entities one header declares.
+std::vector<Fragment> emit_header(const Header& header, const Registry& registry, Report& report);
 
 struct ModuleInfo {
     std::string name;
     std::string path;     // as given
     std::string build_cs; // "" if none was found
+    bool written = true;  // false: its types are only known, to resolve what the written ones refer to
 };
 
-// The whole document; headers in any order.
-nlohmann::json emit_document(const std::vector<ModuleInfo>& modules,
-    const std::vector<std::unique_ptr<Header>>& headers, std::vector<HeaderJson>& parts);
+// What a module's list of headers says.
+struct HeaderEntry {
+    std::string module, path, include, generated;
+    std::vector<std::string> types;
+};
+
+// Writes the whole document, piece by piece.
+void emit_document(std::ostream& out, const std::vector<ModuleInfo>& modules, const std::vector<HeaderEntry>& headers,
+    const std::vector<const Fragment*>& fragments);
 
 nlohmann::json type_json(const TypeNode& node);
 

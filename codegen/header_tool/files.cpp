@@ -1,84 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "files.h"
 
+#include "projects.h"
 #include "run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
+#include <unistd.h>
 
 namespace spear::header_tool {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-bool ignored_folder(const std::string& name) {
-    static const std::set<std::string> names{
-        "Intermediate", "ThirdParty", "Binaries", "Saved", "DerivedDataCache", "node_modules"};
-    return name.starts_with(".") || names.contains(name);
-}
-
-// Calls `use` for each regular file below `root`, in no particular order.
-template <class Use>
-void walk(const fs::path& root, Use use) {
-    std::error_code error;
-    fs::recursive_directory_iterator it(
-        root, fs::directory_options::follow_directory_symlink | fs::directory_options::skip_permission_denied, error),
-        end;
-    if (error)
-        throw UserError(fmt::format("cannot read folder {}: {}", root.string(), error.message()));
-    while (it != end) {
-        if (it->is_directory(error) && (ignored_folder(it->path().filename().string()) || it.depth() > 40))
-            it.disable_recursion_pending();
-        else if (it->is_regular_file(error))
-            use(it->path());
-        it.increment(error);
-        if (error)
-            throw UserError(fmt::format("cannot read below folder {}: {}", root.string(), error.message()));
-    }
-}
-
-void require_folder(const std::string& path, const std::string& argument) {
-    std::error_code error;
-    if (!fs::exists(path, error))
-        throw UserError(fmt::format("--module {}: folder '{}' does not exist; give the folder that holds the module's "
-                                    "Build.cs or its Public/ folder",
-            argument, path));
-    if (!fs::is_directory(path, error))
-        throw UserError(fmt::format("--module {}: '{}' is not a folder", argument, path));
-}
-
-std::vector<fs::path> build_files(const fs::path& root) {
-    std::vector<fs::path> out;
-    walk(root, [&](const fs::path& file) {
-        if (file.filename().string().ends_with(".Build.cs"))
-            out.push_back(file);
-    });
-    std::sort(out.begin(), out.end());
-    return out;
-}
-
-std::string module_name(const fs::path& build_cs) {
-    std::string name = build_cs.filename().string();
-    return name.substr(0, name.size() - std::strlen(".Build.cs"));
-}
-
-} // namespace
-
 std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
+    auto fail = [&] { return UserError(fmt::format("cannot read {}: {}", path, std::strerror(errno))); };
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file)
-        throw UserError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (file.bad())
-        throw UserError(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-    return text;
+        throw fail();
+    std::string text;
+    std::error_code error;
+    auto size = fs::file_size(path, error);
+    for (std::size_t step = error ? 65536 : static_cast<std::size_t>(size) + 1;; step = 65536) {
+        std::size_t before = text.size();
+        text.resize(before + step);
+        text.resize(before + std::fread(text.data() + before, 1, step, file.get()));
+        if (std::ferror(file.get()))
+            throw fail();
+        if (std::feof(file.get()))
+            return text;
+    }
 }
 
 nlohmann::json read_json(const std::string& path) {
@@ -90,92 +48,72 @@ nlohmann::json read_json(const std::string& path) {
     }
 }
 
-void write_file(const std::string& path, const std::string& text) {
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
     fs::path target(path);
     std::error_code error;
     if (target.has_parent_path())
         fs::create_directories(target.parent_path(), error);
-    std::string temporary = path + ".part";
+    std::string temporary = fmt::format("{}.{}.part", path, getpid());
     {
-        std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-        file << text;
+        std::vector<char> buffer(1 << 20);
+        std::ofstream file;
+        file.rdbuf()->pubsetbuf(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+        file.open(temporary, std::ios::binary | std::ios::trunc);
+        if (file)
+            write(file);
         file.close();
-        if (!file)
-            throw UserError(fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+        if (!file) {
+            std::string reason = std::strerror(errno);
+            fs::remove(temporary, error);
+            throw UserError(fmt::format("cannot write {}: {}", path, reason));
+        }
     }
     fs::rename(temporary, target, error);
-    if (error)
-        throw UserError(fmt::format("cannot write {}: {}", path, error.message()));
-}
-
-std::vector<ModuleInfo> find_modules(const std::vector<std::string>& arguments) {
-    std::vector<ModuleInfo> out;
-    auto add = [&](ModuleInfo module, const std::string& argument) {
-        for (const ModuleInfo& other : out)
-            if (other.name == module.name) {
-                if (fs::weakly_canonical(other.path) == fs::weakly_canonical(module.path))
-                    return;
-                throw UserError(
-                    fmt::format("--module {}: module {} was found twice, in {} and {}; name one of them with NAME=DIR",
-                        argument, module.name, other.path, module.path));
-            }
-        out.push_back(std::move(module));
-    };
-    for (const std::string& argument : arguments) {
-        std::size_t equals = argument.find('=');
-        if (equals != std::string::npos) {
-            ModuleInfo module{argument.substr(0, equals), argument.substr(equals + 1), ""};
-            bool valid = !module.name.empty() && std::all_of(module.name.begin(), module.name.end(),
-                                                     [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-            if (!valid || module.path.empty())
-                throw UserError(
-                    fmt::format("--module {}: expected NAME=DIR, NAME of letters, digits and underscores", argument));
-            require_folder(module.path, argument);
-            fs::path build = fs::path(module.path) / (module.name + ".Build.cs");
-            std::error_code error;
-            if (fs::exists(build, error))
-                module.build_cs = build.filename().string();
-            add(std::move(module), argument);
-            continue;
-        }
-        require_folder(argument, argument);
-        std::vector<fs::path> builds = build_files(argument);
-        if (builds.empty())
-            throw UserError(fmt::format("--module {}: no *.Build.cs was found in or below this folder, so the module's "
-                                        "name is unknown; write --module NAME={}",
-                argument, argument));
-        for (const fs::path& build : builds)
-            add({module_name(build), build.parent_path().string(), build.filename().string()}, argument);
+    if (error) {
+        std::string reason = error.message();
+        fs::remove(temporary, error);
+        throw UserError(fmt::format("cannot write {}: {}", path, reason));
     }
-    std::sort(out.begin(), out.end(), [](const ModuleInfo& a, const ModuleInfo& b) { return a.name < b.name; });
-    return out;
 }
 
-std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>& modules) {
+void write_file(const std::string& path, const std::string& text) {
+    write_file(path, [&](std::ostream& out) { out << text; });
+}
+
+std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>& modules, Report& report) {
     std::vector<std::unique_ptr<Header>> out;
-    std::set<std::string> roots;
+    std::map<std::string, std::string> roots; // canonical folder -> path as given
+    auto canonical = [](const std::string& path) {
+        std::error_code error;
+        return fs::weakly_canonical(path, error).string();
+    };
     for (const ModuleInfo& m : modules)
-        roots.insert(fs::weakly_canonical(m.path).string());
+        roots.emplace(canonical(m.path), m.name);
     for (const ModuleInfo& m : modules) {
         std::vector<std::string> files;
-        std::string own = fs::weakly_canonical(m.path).string();
-        walk(m.path, [&](const fs::path& file) {
-            std::string name = file.filename().string();
+        // A module inside this one's folder has its own headers.
+        std::set<std::string> inner;
+        std::string own = canonical(m.path) + "/";
+        for (const auto& [root, name] : roots)
+            if (root.starts_with(own))
+                inner.insert(root);
+        walk(m.path, report, ignored_folder, [&](const std::string& path, const std::string& name) {
             if (!name.ends_with(".h") || name.ends_with(".generated.h"))
                 return;
-            // A module inside this one's folder has its own headers.
-            for (fs::path at = fs::weakly_canonical(file).parent_path(); at.string().size() > own.size();
-                at = at.parent_path())
-                if (roots.contains(at.string()))
-                    return;
-            files.push_back(file.lexically_relative(m.path).generic_string());
+            if (!inner.empty()) {
+                std::string file = canonical(fs::path(path).parent_path().string());
+                for (const std::string& root : inner)
+                    if (file == root || file.starts_with(root + "/"))
+                        return;
+            }
+            files.push_back(path.substr(m.path.size() + 1));
         });
         std::sort(files.begin(), files.end());
         for (const std::string& relative : files) {
             auto header = std::make_unique<Header>();
             header->module = m.name;
             header->relative = relative;
-            header->path = (fs::path(m.path) / relative).string();
+            header->path = m.path + "/" + relative;
             header->include = relative;
             for (std::string_view folder : {"Public/", "Classes/", "Private/", "Internal/"})
                 if (relative.starts_with(folder))
@@ -187,7 +125,7 @@ std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>&
 }
 
 void write_depfile(const std::string& path, const std::string& output,
-    const std::vector<std::unique_ptr<Header>>& headers, const std::vector<std::string>& imports) {
+    const std::vector<std::string>& headers, const std::vector<std::string>& imports) {
     auto escape = [](const std::string& name) {
         std::string out;
         for (char c : name) {
@@ -200,8 +138,8 @@ void write_depfile(const std::string& path, const std::string& output,
         return out;
     };
     std::string text = escape(output) + ":";
-    for (const auto& h : headers)
-        text += " \\\n  " + escape(h->path);
+    for (const std::string& h : headers)
+        text += " \\\n  " + escape(h);
     for (const std::string& file : imports)
         text += " \\\n  " + escape(file);
     write_file(path, text + "\n");

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,16 +20,14 @@ std::string read_file(const std::string& path);
 nlohmann::json read_json(const std::string& path);
 // Creates missing folders; the file is complete or absent (written beside, then renamed).
 void write_file(const std::string& path, const std::string& text);
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
-// NAME=DIR, or DIR: the modules whose *.Build.cs lies in DIR or below it. Sorted by name.
-std::vector<ModuleInfo> find_modules(const std::vector<std::string>& arguments);
-
-// All *.h of the modules, sorted by module and path; Intermediate/, ThirdParty/, Binaries/ and hidden folders are left
-// out.
-std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>& modules);
+// All *.h of the modules, in the order of the modules, by path; Intermediate/, ThirdParty/, Binaries/ and hidden folders
+// are left out. Folders that cannot be read are in the report.
+std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>& modules, Report& report);
 
 // A Makefile fragment: the output depends on these headers and imports.
 void write_depfile(const std::string& path, const std::string& output,
-    const std::vector<std::unique_ptr<Header>>& headers, const std::vector<std::string>& imports);
+    const std::vector<std::string>& headers, const std::vector<std::string>& imports);
 
 } // namespace spear::header_tool

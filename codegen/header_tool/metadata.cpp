@@ -259,11 +259,10 @@ Meta property_meta(const Property& p, const TypeNode& node, const Registry& regi
         std::size_t colon = text.rfind("::");
         std::string scope = colon == std::string::npos ? "" : text.substr(0, colon);
         std::string entry = colon == std::string::npos ? text : text.substr(colon + 2);
-        for (const auto& [name, info] : registry.types()) {
-            bool matches = info.kind == TypeKind::enum_ && info.entries.contains(entry) &&
-                           (scope.empty() ? info.form == "regular" : scope == name || scope == info.cpp_type);
-            if (matches)
-                meta["ArraySizeEnum"] = "/Script/" + info.module + "." + name;
+        for (const std::string& name : registry.enums_with_entry(entry)) {
+            const TypeInfo* info = registry.find(name);
+            if (info && (scope.empty() ? info->form == "regular" : scope == name || scope == info->cpp_type))
+                meta["ArraySizeEnum"] = "/Script/" + info->module + "." + name;
         }
     }
     add_pairs(meta, s);

@@ -55,7 +55,8 @@ struct Property : Declared {
     TypeSyntax type;
     std::string type_text;
     std::string array_text;
-    std::optional<int> array_size; // as the AST computes it
+    ByteRange array_range;         // of array_text
+    std::optional<int> array_size; // computed
     std::optional<std::string> bits;
     std::optional<std::string> default_text;
     Access access = Access::public_;
@@ -89,6 +90,7 @@ struct Delegate : Function {
     std::string owner; // class in whose body it stands
     std::string kind;  // single, multicast, sparse
     std::string macro;
+    std::size_t macro_token = 0; // offset of DECLARE_DYNAMIC_...; macro_offset is that of a UDELEGATE before it
     std::string sparse_owner, sparse_property;
     int declared_parameters = -1; // count the macro's name promises
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace spear::header_tool {
 
@@ -22,6 +23,13 @@ using size_t = unsigned long;
 #define MAX_uint8 255
 #define MAX_uint16 65535
 #define MAX_uint32 4294967295u
+#define MAX_int8 127
+#define MAX_int16 32767
+#define MIN_int8 (-128)
+#define MIN_int16 (-32768)
+#define MAX_int64 9223372036854775807ll
+#define MIN_int64 (-9223372036854775807ll - 1)
+#define MAX_uint64 18446744073709551615ull
 #define MAX_FLT 3.402823466e+38F
 #define FORCEINLINE inline
 #define FORCENOINLINE
@@ -52,21 +60,34 @@ void collect(const TypeSyntax& type, std::set<std::string>& names) {
 
 bool upper(char c) { return c >= 'A' && c <= 'Z'; }
 
+std::string literal(long long value) {
+    return value == std::numeric_limits<long long>::min() ? "(-9223372036854775807ll - 1)" : std::to_string(value) + "ll";
+}
+
 // " : uint8 { A = 1, B }": a reflected enum with its values, so that `= EOther::A` and `X[EOther::Count]` can be
 // computed.
-std::string enum_body(const TypeInfo& info) {
-    // A schema calls a regular enum without a written type a byte, its values may be wider.
-    std::string type = info.enum_decl ? info.enum_decl->underlying : info.form == "class" ? info.underlying : "";
+std::string enum_body(const TypeInfo& info, const Registry& registry) {
+    const std::string& type = info.written_underlying;
     std::string out = (type.empty() ? "" : " : " + type) + " { ";
-    for (const auto& [name, value] : info.values)
-        out += name + " = " + (type.empty() ? "" : "(" + type + ")") + "(" + std::to_string(value) + "ll), ";
-    if (info.enum_decl)
-        for (const EnumEntry& entry : info.enum_decl->entries)
-            out += entry.name + (entry.value_text.empty() ? "" : " = " + entry.value_text) + ", ";
+    for (const auto& [name, value] : registry.entries_of(info)) {
+        out += name;
+        if (value)
+            out += " = " + (type.empty() ? "" : "(" + type + ")") + "(" + literal(*value) + ")";
+        out += ", ";
+    }
     return out + "};\n";
 }
 
-std::string declaration(const std::string& name, const Registry& registry) {
+// static constexpr members for the constants of a scope.
+std::string constant_members(const PreludeConstants& constants, const std::string& scope) {
+    std::string out;
+    if (auto it = constants.find(scope); it != constants.end())
+        for (const auto& [name, value] : it->second)
+            out += "static constexpr long long " + name + " = " + literal(value) + "; ";
+    return out;
+}
+
+std::string declaration(const std::string& name, const Registry& registry, const PreludeConstants& constants) {
     std::size_t colon = name.find("::");
     if (colon != std::string::npos) {
         std::string scope = name.substr(0, colon), rest = name.substr(colon + 2);
@@ -74,32 +95,55 @@ std::string declaration(const std::string& name, const Registry& registry) {
             return {};
         const TypeInfo* info = registry.find(scope);
         if (info && info->kind == TypeKind::enum_ && info->form == "namespaced")
-            return "namespace " + scope + " { enum " + rest + enum_body(*info) + "}\n";
+            return "namespace " + scope + " { enum " + rest + enum_body(*info, registry) + "}\n";
         if (scope.starts_with("E") || (info && info->kind == TypeKind::enum_))
             return "namespace " + scope + " { enum " + rest + " : int {}; }\n";
-        return "class " + scope + " { public: struct " + rest + " {}; virtual ~" + scope + "(); };\n";
+        return "class " + scope + " { public: struct " + rest + " {}; virtual ~" + scope + "(); " +
+               constant_members(constants, scope) + "};\n";
     }
     const TypeInfo* info = registry.find(name);
     if (info && info->kind == TypeKind::enum_) {
         if (info->form == "class")
-            return "enum class " + name + enum_body(*info);
+            return "enum class " + name + enum_body(*info, registry);
         if (info->form == "regular")
-            return "enum " + name + enum_body(*info);
+            return "enum " + name + enum_body(*info, registry);
         return "namespace " + name + " { enum " + info->cpp_type.substr(info->cpp_type.rfind(':') + 1) +
-               enum_body(*info) + "}\n";
+               enum_body(*info, registry) + "}\n";
     }
     if (info && info->kind == TypeKind::struct_)
-        return "struct " + name + " { " + name + "(); template <class... A> explicit " + name + "(A&&...); };\n";
+        return "struct " + name + " { " + name + "(); template <class... A> explicit " + name + "(A&&...); " +
+               constant_members(constants, name) + "};\n";
     if (info || (name.size() > 1 && upper(name[1]) && (name[0] == 'U' || name[0] == 'A' || name[0] == 'I')))
-        return "class " + name + " { public: " + name + "(); virtual ~" + name + "(); };\n";
+        return "class " + name + " { public: " + name + "(); virtual ~" + name + "(); " +
+               constant_members(constants, name) + "};\n";
     if (name.size() > 1 && upper(name[1]) && name[0] == 'E')
         return "enum class " + name + " : unsigned char {};\n";
     if (name.size() > 1 && upper(name[1]) && name[0] == 'T')
         return "template <class... A> class " + name + " {};\n";
-    return "struct " + name + " { " + name + "(); template <class... A> explicit " + name + "(A&&...); };\n";
+    return "struct " + name + " { " + name + "(); template <class... A> explicit " + name + "(A&&...); " +
+           constant_members(constants, name) + "};\n";
+}
+
+// "#define DECLARE_DYNAMIC_DELEGATE_OneParam(Name, T1, P1) struct Name { ... };"
+std::string delegate_macro(const Delegate& d) {
+    bool returns = d.macro.find("_RetVal") != std::string::npos;
+    std::string heads = returns ? "Result, Name" : "Name", parameters;
+    if (d.kind == "sparse")
+        heads += ", Owner, Member";
+    for (int i = 1; i <= d.declared_parameters; ++i) {
+        std::string n = std::to_string(i);
+        heads += ", T" + n + ", P" + n;
+        parameters += (i > 1 ? ", T" : "T") + n + " P" + n;
+    }
+    return "#define " + d.macro + "(" + heads + ") struct Name { Name(); template <class... A> explicit Name(A&&...); " +
+           "static " + (returns ? "Result " : "void ") + std::string(delegate_function) + "(" + parameters + "); };\n";
 }
 
 } // namespace
+
+bool prelude_knows(const std::string& name) {
+    return fixed_text.find("#define " + name + " ") != std::string_view::npos;
+}
 
 std::set<std::string> used_names(const Header& header) {
     std::set<std::string> names;
@@ -125,14 +169,19 @@ std::set<std::string> used_names(const Header& header) {
     for (const Struct& s : header.structs)
         record(s);
     for (const Delegate& d : header.delegates)
-        names.insert(d.name); // its macro is blanked
+        function(d);
     return names;
 }
 
 std::string prelude(const Header& header, const Registry& registry, const std::set<std::string>& names,
-    const std::set<std::string>& macros) {
+    const std::set<std::string>& macros, const PreludeConstants& constants) {
     std::string out(fixed_text);
-    std::set<std::string> defined(header.defined_names.begin(), header.defined_names.end());
+    std::set<std::string> defined(header.defined_names.begin(), header.defined_names.end()), delegate_macros;
+    for (const Delegate& d : header.delegates) {
+        if (delegate_macros.insert(d.macro).second)
+            out += delegate_macro(d);
+        defined.insert(d.name);
+    }
     for (std::string_view name : unary_templates)
         if (!defined.contains(std::string(name)))
             out += "template <class T, class... R> class " + std::string(name) + " { public: " + std::string(name) +
@@ -174,13 +223,19 @@ std::string prelude(const Header& header, const Registry& registry, const std::s
                 continue;
             if (qualified && done.contains(scope)) {
                 if (scope.starts_with("E") && !registry.find(scope))
-                    out += declaration(name, registry);
+                    out += declaration(name, registry, constants);
                 continue;
             }
             if (!done.insert(scope).second)
                 continue;
-            out += declaration(name, registry);
+            out += declaration(name, registry, constants);
         }
+    for (const auto& [scope, members] : constants) {
+        if (scope.empty())
+            out += constant_members(constants, scope) + "\n";
+        else if (!done.contains(scope) && !defined.contains(scope) && !known.contains(scope))
+            out += declaration(scope, registry, constants);
+    }
     return out;
 }
 

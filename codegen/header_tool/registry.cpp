@@ -43,10 +43,7 @@ std::string merge_words(const std::string& base, const std::string& more, const 
     return out;
 }
 
-std::string specifier_value(const Specifiers& s, std::string_view key) {
-    const Specifier* item = s.find(key);
-    return item && item->value ? *item->value : std::string();
-}
+thread_local Trace* current_trace = nullptr;
 
 } // namespace
 
@@ -96,9 +93,13 @@ void Registry::import_schema(const json& schema, const std::string& file) {
         info.underlying = e.contains("source") ? e.at("source").value("underlying", "uint8") : "uint8";
         for (const json& entry : e.at("entries")) {
             std::string name = entry.at("name");
-            info.entries.insert(name.substr(name.rfind(':') + 1));
-            info.values.emplace_back(name.substr(name.rfind(':') + 1), entry.at("value").get<long long>());
+            name = name.substr(name.rfind(':') + 1);
+            entries_[name].insert(info.name);
+            info.values.emplace_back(name, entry.at("value").get<long long>());
         }
+        // A schema calls a regular enum without a written type a byte, its values may be wider.
+        info.written_underlying = info.form == "class" ? info.underlying : "";
+        computed_enums_.insert(info.name);
         types_[info.name] = info;
     }
     for (const json& d : schema.at("delegates")) {
@@ -107,37 +108,39 @@ void Registry::import_schema(const json& schema, const std::string& file) {
     }
 }
 
-void Registry::add(const Header& header, Report& report) {
+void Registry::add(
+    const HeaderFacts& facts, const std::string& module, const std::string& path, Report& report) {
     auto insert = [&](TypeInfo info, unsigned line) {
-        info.module = header.module;
-        info.header = &header;
+        info.module = module;
+        info.path = path;
         auto [it, fresh] = types_.emplace(info.name, info);
         if (fresh)
-            return;
+            return true;
         std::string where =
-            it->second.header ? it->second.header->path : "an imported schema (module " + it->second.module + ")";
+            it->second.path.empty() ? "an imported schema (module " + it->second.module + ")" : it->second.path;
         report.rule(
-            "duplicate-name", header.path, line, info.name, "is also declared in " + where + "; the first one is kept");
+            "duplicate-name", path, line, info.name, "is also declared in " + where + "; the first one is kept");
+        return false;
     };
-    for (const Class& c : header.classes) {
+    for (const RecordFacts& c : facts.classes) {
         TypeInfo info;
         info.kind = TypeKind::class_;
         info.name = c.name;
         info.interface = c.interface;
-        info.class_decl = &c;
+        info.record = &c;
         insert(info, c.line);
         if (c.interface)
             interfaces_["I" + c.name.substr(1)] = c.name;
     }
-    for (const Struct& s : header.structs) {
+    for (const RecordFacts& s : facts.structs) {
         TypeInfo info;
         info.kind = TypeKind::struct_;
         info.name = s.name;
-        info.struct_decl = &s;
-        info.has_defaults = s.specifiers.has("HasDefaults");
+        info.record = &s;
+        info.has_defaults = s.has_defaults;
         insert(info, s.line);
     }
-    for (const Enum& e : header.enums) {
+    for (const EnumFacts& e : facts.enums) {
         TypeInfo info;
         info.kind = TypeKind::enum_;
         info.name = e.name;
@@ -145,26 +148,105 @@ void Registry::add(const Header& header, Report& report) {
         info.cpp_type = e.cpp_type;
         // A regular or namespaced enum without one is reflected as a byte.
         info.underlying = e.underlying.empty() ? (e.form == "class" ? "int32" : "uint8") : e.underlying;
-        for (const EnumEntry& entry : e.entries)
-            info.entries.insert(entry.name);
-        info.enum_decl = &e;
-        insert(info, e.line);
+        info.written_underlying = e.underlying;
+        info.enumeration = &e;
+        for (const EnumEntryFacts& entry : e.entries)
+            info.values.emplace_back(entry.name, std::nullopt);
+        if (insert(info, e.line))
+            for (const EnumEntryFacts& entry : e.entries)
+                entries_[entry.name].insert(e.name);
     }
-    for (const Delegate& d : header.delegates) {
+    for (const DelegateFacts& d : facts.delegates) {
         for (auto [it, end] = delegates_.equal_range(d.name); it != end; ++it)
             if (it->second.owner == d.owner)
-                report.rule("duplicate-name", header.path, d.line, d.name,
+                report.rule("duplicate-name", path, d.line, d.name,
                     "a delegate of this name is declared twice in the same scope");
         delegates_.emplace(d.name, DelegateInfo{d.name, d.owner, d.kind});
     }
+    add_constants(facts.constants);
 }
 
-const TypeInfo* Registry::find(const std::string& name) const {
+void Registry::note(const char* kind, const std::string& name) {
+    if (current_trace)
+        current_trace->insert(std::string(kind) + " " + name);
+}
+
+void Registry::set_trace(Trace* trace) { current_trace = trace; }
+
+const TypeInfo* Registry::peek(const std::string& name) const {
     auto it = types_.find(name);
     return it == types_.end() ? nullptr : &it->second;
 }
 
+const TypeInfo* Registry::find(const std::string& name) const {
+    note("type", name);
+    return peek(name);
+}
+
+bool Registry::is_kept(const std::string& name, const std::string& path, unsigned line) const {
+    note("kept", name);
+    const TypeInfo* info = peek(name);
+    if (!info || info->path != path)
+        return false;
+    return (info->record ? info->record->line : info->enumeration ? info->enumeration->line : 0) == line;
+}
+
+bool Registry::class_has_function(const std::string& name, const std::string& function) const {
+    note("functions", name);
+    const TypeInfo* info = peek(name);
+    return info && info->record &&
+           std::any_of(info->record->functions.begin(), info->record->functions.end(),
+               [&](const std::string& f) { return equals_no_case(f, function); });
+}
+
+Hash Registry::fact(const std::string& question) const {
+    std::size_t blank = question.find(' ');
+    std::string kind = question.substr(0, blank), name = blank == std::string::npos ? "" : question.substr(blank + 1);
+    Hasher out;
+    auto add_all = [&](const auto& items) {
+        out.add(items.size());
+        for (const std::string& item : items)
+            out.add(item);
+    };
+    if (kind == "delegates") {
+        for (auto [it, end] = delegates_.equal_range(name); it != end; ++it)
+            out.add(it->second.owner).add(it->second.kind);
+        return out.hash();
+    }
+    if (kind == "interface")
+        return out.add(interface_class(name)).hash();
+    if (kind == "entry") {
+        add_all(enums_with_entry(name));
+        return out.hash();
+    }
+    if (kind == "value") {
+        std::size_t bar = name.find('|');
+        auto value = name_value(name.substr(bar + 1), name.substr(0, bar), 0);
+        return out.add(value.has_value()).add(static_cast<std::uint64_t>(value.value_or(0))).hash();
+    }
+    const TypeInfo* info = peek(name);
+    if (!info)
+        return out.hash();
+    if (kind == "kept") {
+        out.add(info->path).add(info->record ? info->record->line : info->enumeration ? info->enumeration->line : 0);
+    } else if (kind == "functions") {
+        if (info->record)
+            add_all(info->record->functions);
+    } else if (kind == "entries") {
+        for (const auto& [entry, value] : info->values)
+            out.add(entry).add(value.has_value()).add(static_cast<std::uint64_t>(value.value_or(0)));
+    } else {
+        out.add(static_cast<std::uint64_t>(info->kind)).add(info->name).add(info->module).add(info->super);
+        add_all(info->flags);
+        out.add(info->within).add(info->config).add(info->hide_categories).add(info->auto_collapse_categories);
+        out.add(info->interface).add(info->super_unresolved).add(info->has_defaults).add(info->form);
+        out.add(info->cpp_type).add(info->underlying).add(info->written_underlying).add(info->record != nullptr);
+    }
+    return out.hash();
+}
+
 std::string Registry::interface_class(const std::string& native) const {
+    note("interface", native);
     auto it = interfaces_.find(native);
     return it == interfaces_.end() ? std::string() : it->second;
 }
@@ -180,6 +262,7 @@ bool Registry::is_child_of(const std::string& name, const std::string& ancestor)
 }
 
 const DelegateInfo* Registry::find_delegate(const std::string& name, const std::string& owner) const {
+    note("delegates", name);
     auto [first, last] = delegates_.equal_range(name);
     if (first == last)
         return nullptr;
@@ -216,24 +299,21 @@ bool Registry::class_is_instanced(const std::string& name, std::string& assumed)
     return component;
 }
 
-bool Registry::property_is_instanced(const Property& p, const std::string& owner) const {
-    if (p.specifiers.has("Instanced"))
-        return true;
-    TypeNode node = resolve(p.type, {owner, false, p.bits.has_value()});
+bool Registry::type_is_instanced(const TypeSyntax& type, const std::string& owner) const {
+    TypeNode node = resolve(type, {owner, false, false});
     return node.instanced || node.contains_instanced;
 }
 
 bool Registry::compute_struct_instanced(const std::string& name, std::set<std::string>& open) {
     auto it = types_.find(name);
-    if (it == types_.end() || it->second.kind != TypeKind::struct_ || !it->second.struct_decl ||
-        !open.insert(name).second)
+    if (it == types_.end() || it->second.kind != TypeKind::struct_ || !it->second.record || !open.insert(name).second)
         return it != types_.end() && it->second.flags.contains("HasInstancedReference");
-    const Struct& s = *it->second.struct_decl;
-    bool result = it->second.flags.contains("HasInstancedReference");
+    const RecordFacts& s = *it->second.record;
+    bool result = it->second.flags.contains("HasInstancedReference") || s.instanced;
     if (!it->second.super.empty())
         result |= compute_struct_instanced(it->second.super, open);
-    for (const Property& p : s.properties) {
-        std::vector<const TypeSyntax*> pending{&p.type};
+    for (const TypeSyntax& held : s.holds) {
+        std::vector<const TypeSyntax*> pending{&held};
         while (!pending.empty()) {
             const TypeSyntax* t = pending.back();
             pending.pop_back();
@@ -242,7 +322,7 @@ bool Registry::compute_struct_instanced(const std::string& name, std::set<std::s
             for (const TypeSyntax& arg : t->args)
                 pending.push_back(&arg);
         }
-        result |= property_is_instanced(p, "");
+        result = result || type_is_instanced(held, "");
     }
     if (result)
         it->second.flags.insert("HasInstancedReference");
@@ -250,17 +330,16 @@ bool Registry::compute_struct_instanced(const std::string& name, std::set<std::s
 }
 
 void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report& report) {
-    if (!info.class_decl || !open.insert(info.name).second)
+    if (info.kind != TypeKind::class_ || !info.record || !open.insert(info.name).second)
         return;
-    const Class& c = *info.class_decl;
-    for (const Base& base : c.bases)
-        if (base.name.size() > 1 && (base.name[0] == 'U' || base.name[0] == 'A') && info.super.empty())
-            info.super = base.name;
+    const RecordFacts& c = *info.record;
+    for (const std::string& base : c.bases)
+        if (base.size() > 1 && (base[0] == 'U' || base[0] == 'A') && info.super.empty())
+            info.super = base;
     // A first base that is no I name is the super even with an unusual prefix.
-    if (info.super.empty() && !c.bases.empty() && find(c.bases.front().name))
-        info.super = c.bases.front().name;
-    Flags removed;
-    info.flags = own_class_flags(c, removed);
+    if (info.super.empty() && !c.bases.empty() && peek(c.bases.front()))
+        info.super = c.bases.front();
+    info.flags = c.flags;
     const TypeInfo* super = nullptr;
     if (!info.super.empty()) {
         auto it = types_.find(info.super);
@@ -274,74 +353,79 @@ void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report&
     if (super) {
         info.super_unresolved = false;
         for (const std::string& flag : super->flags)
-            if (inherited_class_flags().contains(flag) && !removed.contains(flag))
+            if (inherited_class_flags().contains(flag) && !c.removed.contains(flag))
                 info.flags.insert(flag);
     }
-    std::string within = specifier_value(c.specifiers, "Within");
-    if (!within.empty())
-        info.within = find("A" + within) ? "A" + within : find(within) ? within : "U" + within;
+    if (!c.within.empty())
+        info.within = peek("A" + c.within) ? "A" + c.within : peek(c.within) ? c.within : "U" + c.within;
     else
         info.within = super ? super->within : "UObject";
-    std::string config = specifier_value(c.specifiers, "Config");
-    info.config = !config.empty() ? config : super ? super->config : "";
-    info.hide_categories = merge_words(super ? super->hide_categories : "",
-        specifier_value(c.specifiers, "HideCategories"), specifier_value(c.specifiers, "ShowCategories"));
-    info.auto_collapse_categories = merge_words(super ? super->auto_collapse_categories : "",
-        specifier_value(c.specifiers, "AutoCollapseCategories"),
-        specifier_value(c.specifiers, "DontAutoCollapseCategories"));
+    info.config = !c.config.empty() ? c.config : super ? super->config : "";
+    info.hide_categories = merge_words(super ? super->hide_categories : "", c.hide_categories, c.show_categories);
+    info.auto_collapse_categories = merge_words(
+        super ? super->auto_collapse_categories : "", c.collapse_categories, c.dont_collapse_categories);
 }
 
-void Registry::finish(Report& report) {
-    std::set<std::string> open;
-    for (auto& [name, info] : types_)
-        if (info.kind == TypeKind::class_)
-            finish_class(info, open, report);
-    // DefaultToInstanced is now known everywhere; structs next, they may contain such objects and each other.
+void Registry::finish_structs() {
     for (auto& [name, info] : types_) {
-        if (!info.struct_decl)
+        if (info.kind != TypeKind::struct_ || !info.record)
             continue;
-        info.flags = own_struct_flags(*info.struct_decl);
-        for (const Base& base : info.struct_decl->bases)
-            if (info.super.empty() && (find(base.name) || base.name.starts_with("F")))
-                info.super = base.name;
+        info.flags = info.record->flags;
+        for (const std::string& base : info.record->bases)
+            if (info.super.empty() && (peek(base) || base.starts_with("F")))
+                info.super = base;
     }
     for (auto& [name, info] : types_) {
-        if (!info.struct_decl)
+        if (info.kind != TypeKind::struct_ || !info.record)
             continue;
-        info.super_unresolved = !info.super.empty() && !find(info.super);
-        const TypeInfo* at = info.super.empty() ? nullptr : find(info.super);
+        info.super_unresolved = !info.super.empty() && !peek(info.super);
+        const TypeInfo* at = info.super.empty() ? nullptr : peek(info.super);
         for (int depth = 0; at && depth < 256; ++depth) {
             if (at->flags.contains("Atomic") || at->flags.contains("Immutable"))
                 info.flags.insert("Atomic");
-            at = at->super.empty() ? nullptr : find(at->super);
+            at = at->super.empty() ? nullptr : peek(at->super);
         }
     }
     // Recursion through `open` may meet a struct that is still being computed; two passes settle such cycles.
     for (int pass = 0; pass < 2; ++pass) {
         std::set<std::string> computing;
         for (auto& [name, info] : types_)
-            if (info.struct_decl)
+            if (info.kind == TypeKind::struct_ && info.record)
                 compute_struct_instanced(name, computing);
     }
+}
+
+void Registry::finish_classes(Report& report) {
+    std::set<std::string> open;
+    for (auto& [name, info] : types_)
+        finish_class(info, open, report);
+}
+
+void Registry::finish(Report& report) {
+    finish_classes(report);
+    // DefaultToInstanced is now known everywhere; structs next, they may contain such objects and each other.
+    finish_structs();
     for (auto& [name, info] : types_) {
-        if (!info.class_decl)
+        if (info.kind != TypeKind::class_ || !info.record)
             continue;
-        for (const Property& p : info.class_decl->properties) {
-            if (property_is_instanced(p, name))
-                info.flags.insert("HasInstancedReference");
-            if (p.specifiers.has("Config") || p.specifiers.has("GlobalConfig"))
-                info.flags.insert("Config");
-        }
+        const RecordFacts& c = *info.record;
+        if (c.instanced || std::any_of(c.holds.begin(), c.holds.end(),
+                               [&, owner = name](const TypeSyntax& type) { return type_is_instanced(type, owner); }))
+            info.flags.insert("HasInstancedReference");
+        if (c.config_property)
+            info.flags.insert("Config");
     }
     for (auto& [name, info] : types_) {
-        const TypeInfo* at = info.kind == TypeKind::class_ && info.class_decl ? find(info.super) : nullptr;
+        const TypeInfo* at = info.kind == TypeKind::class_ && info.record ? peek(info.super) : nullptr;
         for (int depth = 0; at && depth < 256; ++depth) {
             for (const char* flag : {"HasInstancedReference", "Config"})
                 if (at->flags.contains(flag))
                     info.flags.insert(flag);
-            at = find(at->super);
+            at = peek(at->super);
         }
     }
+    for (auto& [name, info] : types_)
+        compute_enum(info);
 }
 
 } // namespace spear::header_tool

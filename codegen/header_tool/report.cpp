@@ -40,6 +40,11 @@ void Report::note(std::string rule, std::string file, unsigned line, std::string
     add(Severity::note, std::move(rule), std::move(file), line, std::move(subject), std::move(message));
 }
 
+void Report::append(const std::vector<ReportEntry>& entries) {
+    std::lock_guard lock(mutex_);
+    entries_.insert(entries_.end(), entries.begin(), entries.end());
+}
+
 std::vector<ReportEntry> Report::entries() const {
     std::vector<ReportEntry> sorted;
     {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What was skipped, assumed or wrong. A silent skip is a bug: whoever drops or doubts a declaration says so here.
 //
-// Rules (stable words): arbitrary-condition, assumed-type, ast-diagnostic, ast-missing, config-without-class-config,
-// const-property, default-argument, delegate-parameter-count, duplicate-name, enum-underlying, enum-value,
-// function-name, generated-include-last, inactive-region, interface-property, macro-blanked, missing-accessor,
-// missing-body, missing-generated-body, missing-rep-notify, namespaced-type, nested-container, nested-type,
+// Rules (stable words): arbitrary-condition, array-dimension, assumed-type, ast-diagnostic, ast-missing, bad-descriptor,
+// config-without-class-config, const-property, default-argument, delegate-parameter-count, duplicate-module,
+// duplicate-name, enum-underlying, enum-value, function-name, generated-include-last, inactive-region,
+// interface-property, macro-blanked, missing-accessor, missing-body, missing-generated-body, missing-module,
+// missing-rep-notify, namespaced-type, nested-container, nested-type,
 // no-generated-include, not-text, orphan-macro, overloaded-function, prefix, private-blueprint-property,
-// property-semicolon, raw-enum-member, static-property, template-type, type-differs, unknown-specifier,
+// property-semicolon, raw-enum-member, static-property, template-type, too-large, type-differs, unknown-specifier,
 // unnamed-parameter, unparsed-declaration, unreadable, unresolved-super, unresolved-type, unsupported-blueprint-type,
 // unsupported-type.
 #pragma once
@@ -35,6 +36,9 @@ public:
     void rule(std::string rule, std::string file, unsigned line, std::string subject, std::string message);
     void warning(std::string rule, std::string file, unsigned line, std::string subject, std::string message);
     void note(std::string rule, std::string file, unsigned line, std::string subject, std::string message);
+
+    // Takes over what was found elsewhere (in one header, or in an earlier run of it).
+    void append(const std::vector<ReportEntry>& entries);
 
     // Sorted by file, line, rule, subject; duplicates removed.
     std::vector<ReportEntry> entries() const;

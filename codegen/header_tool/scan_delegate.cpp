@@ -28,9 +28,12 @@ bool MemberParser::delegate(std::size_t& at, Delegate& out) {
             out.declared_parameters = static_cast<int>(n);
     out.declared_parameters = std::max(out.declared_parameters, 0);
     header_.seen_macros.insert(tokens_[macro].begin);
+    out.macro_token = tokens_[macro].begin;
     if (out.comment.empty() && out.macro_offset == 0)
         begin_declared(out, macro);
     std::size_t open = at + 1, close = matching(tokens_, open);
+    // The AST sees the macro (the prelude gives it a meaning), unless it cannot be read.
+    std::size_t blank = header_.blanks.size();
     header_.blanks.push_back({tokens_[macro].begin, tokens_[close].end});
     // Arguments at depth 0; commas inside <> belong to the type.
     std::vector<std::pair<std::size_t, std::size_t>> args;
@@ -95,8 +98,11 @@ bool MemberParser::delegate(std::size_t& at, Delegate& out) {
     while (used < args.size()) {
         Parameter p;
         std::size_t position = args[used].first, end = args[used].second;
-        while (tokens_[position].is("UPARAM") && tokens_[position + 1].is("("))
-            position = parse_specifiers(source_, tokens_, position + 1, p.specifiers) + 1;
+        while (tokens_[position].is("UPARAM") && tokens_[position + 1].is("(")) {
+            std::size_t macro_end = parse_specifiers(source_, tokens_, position + 1, p.specifiers);
+            header_.blanks.push_back({tokens_[position].begin, tokens_[macro_end].end});
+            position = macro_end + 1;
+        }
         std::size_t type_begin = position;
         auto type = parse_type(tokens_, position, end);
         if (type && position == end) {
@@ -114,6 +120,7 @@ bool MemberParser::delegate(std::size_t& at, Delegate& out) {
         }
         out.parameters.push_back(std::move(p));
     }
+    header_.blanks.erase(header_.blanks.begin() + static_cast<std::ptrdiff_t>(blank));
     return true;
 }
 

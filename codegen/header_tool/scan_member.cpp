@@ -379,6 +379,7 @@ std::vector<Property> MemberParser::properties(std::size_t& at) {
         if (tokens_[at].is("[")) {
             std::size_t end = matching(tokens_, at);
             p.array_text = slice(at + 1, end);
+            p.array_range = {tokens_[at].begin, tokens_[end].end};
             at = end + 1;
             if (tokens_[at].is("[")) {
                 fail("unsupported-type", at, p.cpp_name, "arrays of arrays cannot be reflected; declaration skipped");

@@ -173,11 +173,8 @@ private:
     bool function_known(const Class& c, const std::string& name) const {
         const TypeInfo* info = registry_.find(c.name);
         for (int depth = 0; info && depth < 256; ++depth) {
-            if (!info->class_decl || info->super_unresolved)
+            if (!info->record || info->super_unresolved || registry_.class_has_function(info->name, name))
                 return true;
-            for (const Function& f : info->class_decl->functions)
-                if (equals_no_case(f.name, name))
-                    return true;
             info = info->super.empty() ? nullptr : registry_.find(info->super);
         }
         return false;

@@ -93,7 +93,7 @@ function(spear_reflect target module directory generated reflected depends)
 
     add_custom_command(OUTPUT "${schema}"
         COMMAND ${CMAKE_COMMAND} -E make_directory "${generated}/include"
-        COMMAND spear-header-tool dump --strict --module "${module}=${directory}" ${imports}
+        COMMAND spear-header-tool dump --strict --cache "${CMAKE_BINARY_DIR}/codegen/cache" --module "${module}=${directory}" ${imports}
             --define WITH_EDITOR=0 --define WITH_EDITORONLY_DATA=0 -o "${schema}"
         DEPENDS spear-header-tool ${reflected} ${import_files}
         COMMENT "Reading the reflection of ${module}" VERBATIM)

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "read.h"
+
+#include "ast.h"
+#include "files.h"
+#include "scan.h"
+
+#include <algorithm>
+
+namespace spear::header_tool {
+
+namespace {
+
+// Macro calls in inactive branches are not declared; say so unless the branch is one that a build leaves out on
+// purpose.
+void note_inactive(const Header& header, const LexResult& whole, Report& report) {
+    for (std::size_t i = 0; i < end_index(whole.tokens); ++i) {
+        const Token& t = whole.tokens[i];
+        if (!t.identifier() || !is_reflection_macro(t.text) || !whole.tokens[i + 1].is("("))
+            continue;
+        for (const ByteRange& range : header.skipped)
+            if (range.contains(t.begin))
+                report.note("inactive-region", header.path, header.source->line(t.begin), std::string(t.text),
+                    "stands in an inactive #if branch; not declared");
+    }
+}
+
+// Last line of defence against silent skips.
+void report_unseen(const Header& header, Report& report) {
+    const std::vector<Token>& tokens = header.lexed.tokens;
+    for (std::size_t i = 0; i < end_index(tokens); ++i)
+        if (tokens[i].identifier() && is_reflection_macro(tokens[i].text) && tokens[i + 1].is("(") &&
+            !header.seen_macros.contains(tokens[i].begin))
+            report.rule("unparsed-declaration", header.path, header.source->line(tokens[i].begin),
+                std::string(tokens[i].text),
+                "was passed over: the text around it could not be understood; the declaration is skipped");
+}
+
+void find_generated_include(Header& header) {
+    for (const Directive& d : header.lexed.directives) {
+        if (d.name != "include")
+            continue;
+        std::size_t open = d.rest.find_first_of("\"<"), close = d.rest.find_first_of("\">", open + 1);
+        if (open == std::string::npos || close == std::string::npos)
+            continue;
+        std::string file = d.rest.substr(open + 1, close - open - 1);
+        if (file.ends_with(".generated.h"))
+            header.generated = file.substr(file.rfind('/') + 1);
+    }
+}
+
+// Gives each UINTERFACE its I class.
+void join_interfaces(Header& header, Report& report) {
+    for (Class& c : header.classes) {
+        if (!c.interface)
+            continue;
+        std::string native = "I" + c.name.substr(1);
+        auto it = std::find_if(header.native_interfaces.begin(), header.native_interfaces.end(),
+            [&](const Record& r) { return r.name == native; });
+        if (it == header.native_interfaces.end())
+            continue;
+        c.native = std::make_shared<Record>(std::move(*it));
+        header.native_interfaces.erase(it);
+    }
+    for (const Record& r : header.native_interfaces)
+        report.rule("orphan-macro", header.path, r.line, r.name,
+            "has GENERATED_BODY() but no UINTERFACE in this header; its functions are skipped");
+    header.native_interfaces.clear();
+}
+
+} // namespace
+
+bool mentions_reflection(std::string_view bytes) {
+    for (std::string_view word : {".generated.h", "UCLASS", "USTRUCT", "UENUM", "UINTERFACE", "DECLARE_DYNAMIC_",
+             "UPROPERTY", "UFUNCTION", "UDELEGATE"})
+        if (bytes.find(word) != std::string_view::npos)
+            return true;
+    // UTF-16 text has a byte order mark.
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+void read_header(Header& header, std::string bytes, const Defines& defines, Report& report) {
+    if (!SourceText::looks_like_text(bytes)) {
+        report.rule("not-text", header.path, 1, header.relative, "is a binary file; it is skipped");
+        return;
+    }
+    header.source = std::make_unique<SourceText>(SourceText::to_utf8(std::move(bytes)));
+    if (!mentions_reflection(header.source->bytes()))
+        return;
+    LexResult whole = lex(*header.source, {});
+    ConditionMap conditions(whole.directives);
+    header.skipped = inactive_branches(*header.source, whole.directives, conditions, defines);
+    if (!header.skipped.empty())
+        note_inactive(header, whole, report);
+    header.lexed = lex(*header.source, header.skipped);
+    find_generated_include(header);
+    bool macro_definitions = false; // the headers that define the macros themselves
+    for (const Directive& d : header.lexed.directives)
+        macro_definitions |= d.name == "define" && (d.rest.starts_with("UCLASS(") || d.rest.starts_with("UPROPERTY("));
+    if (macro_definitions)
+        return;
+    scan(header, conditions, report);
+    report_unseen(header, report);
+    join_interfaces(header, report);
+    header.reflected = !header.generated.empty() || !header.type_names.empty();
+}
+
+} // namespace spear::header_tool
