@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from cpp_names import api, delegate_function, enum_function, flags, literal, meta_pairs, qualify, struct_function, value_type
-from schema import Entity, SchemaError, SchemaSet
+from .cpp_names import api, delegate_function, enum_function, flags, literal, meta_pairs, qualify, struct_function, value_type
+from .schema import Entity, SchemaError, SchemaSet
 
 _KINDS = {
     "bool": "Bool", "int8": "Int8", "int16": "Int16", "int32": "Int32", "int64": "Int64", "uint8": "UInt8", "uint16": "UInt16", "uint32": "UInt32",

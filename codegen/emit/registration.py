@@ -12,12 +12,12 @@ from typing import Any
 
 import jinja2
 
-from cpp_names import (
+from .cpp_names import (
     api, delegate_function, enum_function, file_id, flags, literal, meta_pairs, qualify, struct_function, value_type,
 )
-from output import Output
-from property_tables import PropertyTables
-from schema import Entity, SchemaError, SchemaSet
+from .output import Output
+from .property_tables import PropertyTables
+from .schema import Entity, SchemaError, SchemaSet
 
 _LEGACY = {"GENERATED_UCLASS_BODY", "GENERATED_UINTERFACE_BODY", "GENERATED_IINTERFACE_BODY"}
 _DELEGATE_FORMS = {"single": 1, "multicast": 2, "sparse": 3}
