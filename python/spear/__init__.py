@@ -14,6 +14,7 @@
 """
 
 from spear._native import Future, __version__
+from spear.enums import UnrealEnum, UnrealFlags
 from spear.errors import (
     AmbiguousName,
     ArgumentError,
@@ -58,17 +59,20 @@ from spear.errors import (
 )
 from spear.game import Game
 from spear.instance import Frame, Instance, connect, launch
+from spear.results import Result
 from spear.structs import FColor, FLinearColor, FQuat, FRotator, FTransform, FVector, FVector2D, FVector4, Struct
-from spear.unreal_object import FutureObject, Member, UnrealObject
+from spear.unreal_classes import cast
+from spear.unreal_object import FutureObject, Member, ObjectBase, UnrealObject
 
 from spear import _setup  # noqa: F401  (tells the native half about the classes here)
 
 __all__ = [
-    "AmbiguousName", "ArgumentError", "ConnectionError", "DeadlineExceeded", "DependencyFailed", "Disconnected", "EngineBusy", "EngineExited",
-    "EngineNotRunning", "Error", "FColor", "FLinearColor", "FQuat", "FRotator", "FTransform", "FVector", "FVector2D", "FVector4",
-    "Frame", "FrameError", "FrameMisuse", "Future", "FutureObject", "Game", "HeldByClient", "Instance", "InternalError", "LaunchFailed",
-    "LimitExceeded", "LookupFailed", "MalformedMessage", "Member", "MissingArgument", "NeedsFrames", "NotCallable", "NotInFrame", "NullObject",
-    "ObjectError", "OutOfRange", "ReadOnly", "SpawnFailed", "StaleObject", "Struct", "TransactionAborted", "Unauthorized", "UnknownArgument",
-    "UnknownClass", "UnknownEntryPoint", "UnknownFunction", "UnknownObject", "UnknownProperty", "UnrealObject", "VersionMismatch", "WaitError",
-    "WrongThread", "WrongType", "__version__", "connect", "launch",
+    "AmbiguousName", "ArgumentError", "ConnectionError", "DeadlineExceeded", "DependencyFailed", "Disconnected", "EngineBusy",
+    "EngineExited", "EngineNotRunning", "Error", "FColor", "FLinearColor", "FQuat", "FRotator", "FTransform", "FVector", "FVector2D",
+    "FVector4", "Frame", "FrameError", "FrameMisuse", "Future", "FutureObject", "Game", "HeldByClient", "Instance", "InternalError",
+    "LaunchFailed", "LimitExceeded", "LookupFailed", "MalformedMessage", "Member", "MissingArgument", "NeedsFrames", "NotCallable",
+    "NotInFrame", "NullObject", "ObjectBase", "ObjectError", "OutOfRange", "ReadOnly", "Result", "SpawnFailed", "StaleObject", "Struct",
+    "TransactionAborted", "Unauthorized", "UnknownArgument", "UnknownClass", "UnknownEntryPoint", "UnknownFunction", "UnknownObject",
+    "UnknownProperty", "UnrealEnum", "UnrealFlags", "UnrealObject", "VersionMismatch", "WaitError", "WrongThread", "WrongType",
+    "__version__", "cast", "connect", "launch",
 ]

@@ -10,6 +10,8 @@ __version__: str
 SYNC: int
 ASYNC: int
 SEND: int
+#: Added to a mode: a null object is None, and nobody is asked whether that may be.
+RAW: int
 LEASE_OFF: int
 #: (name, parent, meaning) of every error, from ``spear/error_code.hpp``.
 ERROR_ROWS: list[tuple[str, str, str]]
@@ -39,8 +41,8 @@ class Future(Generic[_T]):
     def is_ready(self) -> bool:
         """Whether get() would return (or raise) at once."""
     @property
-    def object(self) -> Any:
-        """The object that the future will be, as the target of further calls without waiting."""
+    def object(self) -> _T:
+        """The object that the future will be, as the target of further calls without waiting (a FutureObject; to type checkers the object)."""
     @property
     def _session(self) -> Session: ...
 
@@ -76,6 +78,8 @@ def list_engines() -> list[tuple[str, int]]:
 def describe_engine(address: str, timeout_ms: int) -> dict[str, Any]:
     """spear_version, engine, scene, process_id, sessions of the engine at an address, without a session."""
 def setup(
-    object_class: type, struct_base: type, struct_class: Callable[[str, Sequence[str]], type],
-    enum_class: Callable[[str, Sequence[tuple[str, int]]], type], errors: Mapping[str, type], future_object: Callable[[Any], Any],
+    *, object_class: type, struct_base: type, struct_class: Callable[[str, str, Sequence[str]], tuple[type, tuple[str, ...]]],
+    enum_class: Callable[[str, str, bool, Sequence[tuple[str, int]]], tuple[type, dict[int, Any], Callable[[int], Any] | None]],
+    enum_entries: Callable[[type], tuple[str, bool, list[tuple[str, int]]] | None], result_class: Callable[[str, Sequence[str]], type],
+    null_result: Callable[[Any, Any, str, bool, Any], None], parameter_name: Callable[[str], str], errors: Mapping[str, type], future_object: Callable[[Any], Any],
 ) -> None: ...

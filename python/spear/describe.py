@@ -23,7 +23,8 @@ def describe_class(session: Session, class_name: str) -> dict[str, Any]:
 
 
 def member_names(unreal_object: UnrealObject) -> list[str]:
-    """Names of all functions and properties of the object's class, inherited ones too; empty if the engine cannot be asked."""
+    """Names of all functions and properties of the object's class, inherited ones too, as Python spells them; empty if the engine cannot be asked."""
+    from spear.codegen.names import python_names
     from spear.errors import Error
 
     names: list[str] = []
@@ -36,4 +37,4 @@ def member_names(unreal_object: UnrealObject) -> list[str]:
             current = entity.get("super")
     except Error:
         pass  # completion must not raise
-    return names
+    return python_names(dict.fromkeys(names))

@@ -1,40 +1,45 @@
 # SPDX-License-Identifier: MIT
 """A running world: find, spawn, destroy.
 
-Everything here but classes and worlds needs an open block. ``game.async_`` and ``game.send_`` have the same functions without waiting.
+Everything here but classes and worlds needs an open block. ``game.async_`` and ``game.send_`` have the same functions without waiting; their
+classes are made from this file (``game_twins.py``, by ``python/make_game_twins.py``).
+
+Where a class is taken, a class of ``spear.unreal`` makes the result one of it (``game.spawn_actor(AStaticMeshActor)`` is an
+``AStaticMeshActor`` to type checkers); a name (``"AActor"``, ``"Actor"``, ``"/Script/Engine.Actor"``) or a class object gives an UnrealObject.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
-from spear._native import ASYNC, SEND, SYNC
-from spear.unreal_object import UnrealObject
+from spear._native import ASYNC, SEND, SYNC, Future
+from spear.unreal_object import ObjectBase, UnrealObject, class_argument
 
 if TYPE_CHECKING:
-    from spear._native import Session
+    import numpy.typing as npt
 
-#: A class: by name ("AActor", "Actor", "/Script/Engine.Actor"), or as an object.
-ClassLike = str | UnrealObject | type
+    from spear._native import Session
+    from spear.game_twins import AsyncGame, SendGame
+    from spear.structs import FRotator, FVector
+
+    #: Centimetres (or a scale): FVector, three numbers, a dictionary of X, Y, Z, an array.
+    Vector = FVector | Sequence[float] | Mapping[str, float] | npt.NDArray[Any] | Future[FVector]
+    #: Degrees: FRotator, pitch-yaw-roll, a dictionary of Pitch, Yaw, Roll, an array.
+    Rotator = FRotator | Sequence[float] | Mapping[str, float] | npt.NDArray[Any] | Future[FRotator]
+
+_T = TypeVar("_T", bound=ObjectBase)
+
+#: A class without a Python class: by name, or as an object.
+ClassLike = str | ObjectBase
 
 _OPTIONS = ("location", "rotation", "scale", "name", "tags", "owner", "collision_handling")
 
 
-def class_argument(value: ClassLike | None) -> Any:
-    """What the wire takes for a class: an object, a name, or the Unreal name of a generated Python class."""
-    if isinstance(value, type):
-        name = getattr(value, "unreal_name", None)
-        if not isinstance(name, str):
-            raise TypeError(f"{value.__name__} is no class of Unreal: give a name (\"AActor\"), a class object, or a class of spear.unreal")
-        return name
-    return value
-
-
 class GameBase:
-    """The functions of a world; :class:`Game` is the synchronous one."""
+    """What a world and its twins share."""
 
-    def __init__(self, session: Session, world: UnrealObject | None, mode: int) -> None:
+    def __init__(self, session: Session, world: ObjectBase | None = None, mode: int = SYNC) -> None:
         self._session = session
         self._world = world
         self._mode = mode
@@ -42,11 +47,35 @@ class GameBase:
     def _call(self, name: str, *args: Any) -> Any:
         return self._session.call("unreal_service." + name, args, {}, self._mode)
 
-    # Actors -------------------------------------------------------------------------------------------------------------
 
-    def spawn_actor(
-        self, uclass: ClassLike, *, location: Any = None, rotation: Any = None, scale: Any = None, name: str | None = None,
-        tags: Sequence[str] | None = None, owner: Any = None, collision_handling: str | None = None,
+class Game(GameBase):
+    """A world of the engine; ``instance.get_game()`` gives the primary one."""
+
+    @property
+    def async_(self) -> AsyncGame:
+        """The same functions, each giving a Future at once."""
+        from spear.game_twins import AsyncGame
+
+        return AsyncGame(self._session, self._world, ASYNC)
+
+    @property
+    def send_(self) -> SendGame:
+        """The same functions, fire-and-forget."""
+        from spear.game_twins import SendGame
+
+        return SendGame(self._session, self._world, SEND)
+
+    # Actors -----------------------------------------------------------------------------------------------------------------------------
+    @overload
+    def spawn_actor(self, uclass: type[_T], *, location: Vector | None = None, rotation: Rotator | None = None, scale: Vector | None = None,
+        name: str | None = None, tags: Sequence[str] | None = None, owner: ObjectBase | Future[Any] | None = None, collision_handling: str | None = None,
+    ) -> _T: ...
+    @overload
+    def spawn_actor(self, uclass: ClassLike, *, location: Vector | None = None, rotation: Rotator | None = None, scale: Vector | None = None,
+        name: str | None = None, tags: Sequence[str] | None = None, owner: ObjectBase | Future[Any] | None = None, collision_handling: str | None = None,
+    ) -> UnrealObject: ...
+    def spawn_actor(self, uclass: Any, *, location: Vector | None = None, rotation: Rotator | None = None, scale: Vector | None = None,
+        name: str | None = None, tags: Sequence[str] | None = None, owner: ObjectBase | Future[Any] | None = None, collision_handling: str | None = None,
     ) -> Any:
         """Spawns an actor.
 
@@ -54,130 +83,189 @@ class GameBase:
         ``name`` is the wanted object name; ``tags`` are set before BeginPlay. Raises UnknownClass, WrongType (no actor class), SpawnFailed.
         """
         given = (location, rotation, scale, name, tags, owner, collision_handling)
-        options = {key: _plain(value) for key, value in zip(_OPTIONS, given) if value is not None}
+        options = {key: plain(value) for key, value in zip(_OPTIONS, given) if value is not None}
         return self._call("spawn_actor", self._world, class_argument(uclass), options)
 
-    def destroy_actor(self, actor: Any) -> Any:
+    def destroy_actor(self, actor: ObjectBase | Future[Any]) -> bool:
         """Destroys an actor; using it afterwards raises StaleObject. Returns whether the engine did."""
-        return self._call("destroy_actor", actor)
+        return self._call("destroy_actor", actor)  # type: ignore[no-any-return]
 
-    def find_actor_by_name(self, name: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actor_by_name(self, name: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def find_actor_by_name(self, name: str, uclass: ClassLike | None = None) -> UnrealObject: ...
+    def find_actor_by_name(self, name: str, uclass: Any = None) -> Any:
         """The actor of that name. Raises UnknownObject with the nearest names."""
         return self._call("find_actor_by_name", self._world, class_argument(uclass), name)
 
-    def find_actor_by_tag(self, tag: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actor_by_tag(self, tag: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def find_actor_by_tag(self, tag: str, uclass: ClassLike | None = None) -> UnrealObject: ...
+    def find_actor_by_tag(self, tag: str, uclass: Any = None) -> Any:
         """The only actor with the tag. Raises UnknownObject, AmbiguousName."""
         return self._call("find_actor_by_tag", self._world, class_argument(uclass), tag)
 
-    def find_actor_by_path(self, path: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actor_by_path(self, path: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def find_actor_by_path(self, path: str, uclass: ClassLike | None = None) -> UnrealObject: ...
+    def find_actor_by_path(self, path: str, uclass: Any = None) -> Any:
         """The actor of that object path."""
         return self._call("find_actor_by_path", self._world, class_argument(uclass), path)
 
-    def find_actor_by_class(self, uclass: ClassLike) -> Any:
+    @overload
+    def find_actor_by_class(self, uclass: type[_T]) -> _T: ...
+    @overload
+    def find_actor_by_class(self, uclass: ClassLike) -> UnrealObject: ...
+    def find_actor_by_class(self, uclass: Any) -> Any:
         """The only actor of the class. Raises UnknownObject, AmbiguousName."""
         return self._call("find_actor_by_class", self._world, class_argument(uclass), "")
 
-    def find_actors_by_name(self, pattern: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actors_by_name(self, pattern: str, uclass: type[_T]) -> list[_T]: ...
+    @overload
+    def find_actors_by_name(self, pattern: str, uclass: ClassLike | None = None) -> list[UnrealObject]: ...
+    def find_actors_by_name(self, pattern: str, uclass: Any = None) -> Any:
         """All actors whose name fits a pattern with ``*`` and ``?``."""
         return self._call("find_actors_by_name", self._world, class_argument(uclass), pattern)
 
-    def find_actors_by_tag(self, tag: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actors_by_tag(self, tag: str, uclass: type[_T]) -> list[_T]: ...
+    @overload
+    def find_actors_by_tag(self, tag: str, uclass: ClassLike | None = None) -> list[UnrealObject]: ...
+    def find_actors_by_tag(self, tag: str, uclass: Any = None) -> Any:
         """All actors with the tag, in the world's order."""
         return self._call("find_actors_by_tag", self._world, class_argument(uclass), tag)
 
-    def find_actors_by_class(self, uclass: ClassLike) -> Any:
+    @overload
+    def find_actors_by_class(self, uclass: type[_T]) -> list[_T]: ...
+    @overload
+    def find_actors_by_class(self, uclass: ClassLike) -> list[UnrealObject]: ...
+    def find_actors_by_class(self, uclass: Any) -> Any:
         """All actors of the class, in the world's order."""
         return self._call("find_actors_by_class", self._world, class_argument(uclass), "")
 
-    def find_actors_by_tag_as_map(self, tag: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def find_actors_by_tag_as_map(self, tag: str, uclass: type[_T]) -> dict[str, _T]: ...
+    @overload
+    def find_actors_by_tag_as_map(self, tag: str, uclass: ClassLike | None = None) -> dict[str, UnrealObject]: ...
+    def find_actors_by_tag_as_map(self, tag: str, uclass: Any = None) -> Any:
         """All actors with the tag, by name."""
         return self._call("find_actors_by_tag_as_map", self._world, class_argument(uclass), tag)
 
-    def find_actors_by_class_as_map(self, uclass: ClassLike) -> Any:
+    @overload
+    def find_actors_by_class_as_map(self, uclass: type[_T]) -> dict[str, _T]: ...
+    @overload
+    def find_actors_by_class_as_map(self, uclass: ClassLike) -> dict[str, UnrealObject]: ...
+    def find_actors_by_class_as_map(self, uclass: Any) -> Any:
         """All actors of the class, by name."""
         return self._call("find_actors_by_class_as_map", self._world, class_argument(uclass), "")
 
-    # Components ---------------------------------------------------------------------------------------------------------
 
-    def get_component_by_name(self, actor: Any, name: str, uclass: ClassLike | None = None) -> Any:
+    # Components -------------------------------------------------------------------------------------------------------------------------
+    @overload
+    def get_component_by_name(self, actor: ObjectBase | Future[Any], name: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def get_component_by_name(self, actor: ObjectBase | Future[Any], name: str, uclass: ClassLike | None = None) -> UnrealObject: ...
+    def get_component_by_name(self, actor: ObjectBase | Future[Any], name: str, uclass: Any = None) -> Any:
         """The actor's component of that name. Raises UnknownObject with the nearest names."""
         return self._call("find_component_by_name", actor, class_argument(uclass), name)
 
-    def get_component_by_tag(self, actor: Any, tag: str, uclass: ClassLike | None = None) -> Any:
+    @overload
+    def get_component_by_tag(self, actor: ObjectBase | Future[Any], tag: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def get_component_by_tag(self, actor: ObjectBase | Future[Any], tag: str, uclass: ClassLike | None = None) -> UnrealObject: ...
+    def get_component_by_tag(self, actor: ObjectBase | Future[Any], tag: str, uclass: Any = None) -> Any:
         """The actor's only component with the tag."""
         return self._call("find_component_by_tag", actor, class_argument(uclass), tag)
 
-    def get_component_by_class(self, actor: Any, uclass: ClassLike) -> Any:
-        """The actor's only component of the class."""
+    @overload
+    def get_component_by_class(self, actor: ObjectBase | Future[Any], uclass: type[_T]) -> _T: ...
+    @overload
+    def get_component_by_class(self, actor: ObjectBase | Future[Any], uclass: ClassLike) -> UnrealObject: ...
+    def get_component_by_class(self, actor: ObjectBase | Future[Any], uclass: Any) -> Any:
+        """The actor's only component of the class. (``actor.get_component(UCameraComponent)`` is the same.)"""
         return self._call("find_component_by_class", actor, class_argument(uclass), "")
 
-    def get_components_by_tag(self, actor: Any, tag: str, uclass: ClassLike | None = None) -> Any:
-        """The actor's components with the tag."""
-        return self._call("find_components_by_tag", actor, class_argument(uclass), tag)
-
-    def get_components_by_class(self, actor: Any, uclass: ClassLike) -> Any:
+    @overload
+    def get_components_by_class(self, actor: ObjectBase | Future[Any], uclass: type[_T]) -> list[_T]: ...
+    @overload
+    def get_components_by_class(self, actor: ObjectBase | Future[Any], uclass: ClassLike) -> list[UnrealObject]: ...
+    def get_components_by_class(self, actor: ObjectBase | Future[Any], uclass: Any) -> Any:
         """The actor's components of the class."""
         return self._call("find_components_by_class", actor, class_argument(uclass), "")
 
-    def get_components_by_class_as_map(self, actor: Any, uclass: ClassLike) -> Any:
+    @overload
+    def get_components_by_class_as_map(self, actor: ObjectBase | Future[Any], uclass: type[_T]) -> dict[str, _T]: ...
+    @overload
+    def get_components_by_class_as_map(self, actor: ObjectBase | Future[Any], uclass: ClassLike) -> dict[str, UnrealObject]: ...
+    def get_components_by_class_as_map(self, actor: ObjectBase | Future[Any], uclass: Any) -> Any:
         """The actor's components of the class, by name."""
         return self._call("find_components_by_class_as_map", actor, class_argument(uclass), "")
 
-    # Objects ------------------------------------------------------------------------------------------------------------
 
-    def new_object(self, uclass: ClassLike, outer: Any = None, name: str = "") -> Any:
+    # Objects ----------------------------------------------------------------------------------------------------------------------------
+    @overload
+    def new_object(self, uclass: type[_T], outer: ObjectBase | Future[Any] | None = None, name: str = "") -> _T: ...
+    @overload
+    def new_object(self, uclass: ClassLike, outer: ObjectBase | Future[Any] | None = None, name: str = "") -> UnrealObject: ...
+    def new_object(self, uclass: Any, outer: ObjectBase | Future[Any] | None = None, name: str = "") -> Any:
         """Makes an object that the session keeps alive until release_object(). Actors are spawned instead."""
         return self._call("new_object", class_argument(uclass), outer, name)
 
-    def release_object(self, unreal_object: Any) -> Any:
+    def release_object(self, unreal_object: ObjectBase | Future[Any]) -> None:
         """Lets go of an object made by new_object()."""
-        return self._call("release_object", unreal_object)
+        self._call("release_object", unreal_object)
 
-    def load_object(self, path: str, uclass: ClassLike = "UObject") -> Any:
+    @overload
+    def load_object(self, path: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def load_object(self, path: str, uclass: ClassLike = "UObject") -> UnrealObject: ...
+    def load_object(self, path: str, uclass: Any = "UObject") -> Any:
         """Finds or loads an asset by path, e.g. ``/Engine/BasicShapes/Cube.Cube``. Raises UnknownObject, WrongType."""
         return self._call("load_object", class_argument(uclass), path)
 
-    def load_class(self, path: str, uclass: ClassLike = "UObject") -> Any:
+    @overload
+    def load_class(self, path: str, uclass: type[_T]) -> _T: ...
+    @overload
+    def load_class(self, path: str, uclass: ClassLike = "UObject") -> UnrealObject: ...
+    def load_class(self, path: str, uclass: Any = "UObject") -> Any:
         """Loads a class by path, also one defined in content (``/Game/BP_X.BP_X_C``)."""
         return self._call("load_class", class_argument(uclass), path)
 
 
-class Game(GameBase):
-    """A world of the engine; ``instance.get_game()`` gives the primary one."""
+    # Classes: these work anywhere, also outside of blocks -------------------------------------------------------------------------------
+    @overload
+    def get_class(self, uclass: type[_T]) -> _T: ...
+    @overload
+    def get_class(self, uclass: ClassLike) -> UnrealObject: ...
+    def get_class(self, uclass: Any) -> Any:
+        """The class itself, for static functions: ``game.get_class(UGameplayStatics).SetGamePaused(bPaused=True)``."""
+        return self._call("find_class", class_argument(uclass))
 
-    def __init__(self, session: Session, world: UnrealObject | None = None) -> None:
-        super().__init__(session, world, SYNC)
+    @overload
+    def get_default_object(self, uclass: type[_T]) -> _T: ...
+    @overload
+    def get_default_object(self, uclass: ClassLike) -> UnrealObject: ...
+    def get_default_object(self, uclass: Any) -> Any:
+        """The class default object."""
+        return self._call("get_default_object", class_argument(uclass))
 
-    @property
-    def async_(self) -> GameBase:
-        """The same functions, each giving a Future at once."""
-        return GameBase(self._session, self._world, ASYNC)
+    def get_derived_classes(self, uclass: type[ObjectBase] | ClassLike, recursive: bool = True) -> list[UnrealObject]:
+        """The classes that derive from a class."""
+        return self._call("get_derived_classes", class_argument(uclass), recursive)  # type: ignore[no-any-return]
 
-    @property
-    def send_(self) -> GameBase:
-        """The same functions, fire-and-forget."""
-        return GameBase(self._session, self._world, SEND)
-
-    def get_class(self, uclass: ClassLike) -> UnrealObject:
-        """The class itself, for static functions: ``game.get_class("UGameplayStatics").SetGamePaused(bPaused=True)``. Works anywhere."""
-        result: UnrealObject = self._call("find_class", class_argument(uclass))
-        return result
-
-    def get_default_object(self, uclass: ClassLike) -> UnrealObject:
-        """The class default object. Works anywhere."""
-        result: UnrealObject = self._call("get_default_object", class_argument(uclass))
-        return result
-
-    def get_derived_classes(self, uclass: ClassLike, recursive: bool = True) -> list[UnrealObject]:
-        """The classes that derive from a class. Works anywhere."""
-        return list(self._call("get_derived_classes", class_argument(uclass), recursive))
-
-    def get_unreal_object(self, uclass: ClassLike) -> UnrealObject:
+    @overload
+    def get_unreal_object(self, uclass: type[_T]) -> _T: ...
+    @overload
+    def get_unreal_object(self, uclass: ClassLike) -> UnrealObject: ...
+    def get_unreal_object(self, uclass: Any) -> Any:
         """The paper package's spelling of :meth:`get_class`."""
-        return self.get_class(uclass)
+        return self._call("find_class", class_argument(uclass))
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Locations and the like as the wire takes them: NumPy arrays and tuples become lists."""
     if hasattr(value, "tolist"):
         return value.tolist()

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from spear import _native
+from spear import _native, facts, naming
 from spear._native import SYNC
 from spear.game import Game
 
@@ -45,7 +45,9 @@ class Instance:
     """A running engine and a session with it. Use it as a context manager, or call :meth:`close`."""
 
     def __init__(self, session: _native.Session) -> None:
+        naming.load()
         self._session = session
+        facts.add_instance(self)
 
     # Frames -------------------------------------------------------------------------------------------------------------
 

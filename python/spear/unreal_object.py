@@ -9,43 +9,62 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, TypeVar, overload
 
 from spear import _native
-from spear._native import ASYNC, SEND, SYNC
-
-if TYPE_CHECKING:
-    from spear._native import Future
+from spear._native import ASYNC, RAW, SEND, SYNC, Future
+from spear.enums import UnrealEnum
+from spear.naming import renamed, unreal_name_of
 
 _set = object.__setattr__
+_T = TypeVar("_T", bound="ObjectBase")
 
 
-class UnrealObject(_native.Object):
-    """An object of the engine. Copies share it; it does not keep it alive: using one that was destroyed raises StaleObject.
+def class_argument(value: Any) -> Any:
+    """What the wire takes for a class: an object, a name, or the Unreal name of a class of spear.unreal."""
+    if isinstance(value, type):
+        name = getattr(value, "unreal_name", None)
+        if not isinstance(name, str):
+            raise TypeError(f"{value.__name__} is no class of Unreal: give a name (\"AActor\"), a class object, or a class of spear.unreal")
+        return name
+    return value
 
-    Two are equal if they are the same object of the same session. Attributes that do not start with ``_`` and are not methods below
-    are Unreal's functions and variables.
+
+class ObjectBase(_native.Object):
+    """What every object of the engine has of its own: a short closed list. Everything else is Unreal's (:class:`UnrealObject`).
+
+    A function or variable of Unreal that has one of these names is reached with a trailing underscore, ``object.get_``.
     """
 
     __slots__ = ()
 
+    if TYPE_CHECKING:
+        #: Unreal's name of the class, ``"AActor"``.
+        unreal_name: ClassVar[str]
+    else:
+
+        @property
+        def unreal_name(self) -> str:
+            """Unreal's name of the object's class, ``"AActor"``."""
+            return self._class_name
+
     @property
-    def async_(self) -> AsyncNamespace:
+    def async_(self) -> AsyncBase:
         """The same functions and variables, asynchronously: each gives a Future at once, and runs in the same order."""
         return AsyncNamespace(self, ASYNC)
 
     @property
-    def send_(self) -> AsyncNamespace:
+    def send_(self) -> SendBase:
         """Fire-and-forget: nothing is returned; failures are reported when a block ends."""
-        return AsyncNamespace(self, SEND)
+        return SendNamespace(self, SEND)
 
     def call(self, function: str, /, *args: Any, **kwargs: Any) -> Any:
-        """Calls a function by name, for names that are no Python identifiers or clash with the methods here."""
-        return self._session.call_function(self, function, args, kwargs, SYNC)
+        """Calls a function by Unreal's name. What it returns comes as it is: an object that is null is None."""
+        return self._session.call_function(self, function, args, kwargs, SYNC | RAW)
 
     def get(self, path: str, /) -> Any:
-        """Reads the variable at a path, "RootComponent.RelativeLocation.X", "Tags[0]"."""
-        return self._session.get_property(self, path, SYNC)
+        """Reads the variable at a path, "RootComponent.RelativeLocation.X", "Tags[0]", as it is: an object that is null is None."""
+        return self._session.get_property(self, path, SYNC | RAW)
 
     def set(self, path: str, value: Any, /) -> None:
         """Writes the variable at a path."""
@@ -64,15 +83,58 @@ class UnrealObject(_native.Object):
         """The object's path, its identity in the engine."""
         return str(self._session.call("unreal_service.get_path_name", (self,), {}, SYNC))
 
+    @overload
+    def get_component(self, uclass: type[_T], name: str = "") -> _T: ...
+    @overload
+    def get_component(self, uclass: str | ObjectBase, name: str = "") -> UnrealObject: ...
+    def get_component(self, uclass: Any, name: str = "") -> Any:
+        """The actor's only component of a class, or the one of that class and name. Raises UnknownObject, AmbiguousName."""
+        return self._session.call(_COMPONENT_BY_NAME if name else _COMPONENT_BY_CLASS, (self, class_argument(uclass), name), {}, SYNC)
+
+    @overload
+    def get_components(self, uclass: type[_T]) -> list[_T]: ...
+    @overload
+    def get_components(self, uclass: str | ObjectBase) -> list[UnrealObject]: ...
+    def get_components(self, uclass: Any) -> list[Any]:
+        """The actor's components of a class."""
+        return list(self._session.call(_COMPONENTS_BY_CLASS, (self, class_argument(uclass), ""), {}, SYNC))
+
+    def __repr__(self) -> str:
+        return f"<{self._class_name} handle={self._handle:#x}>"
+
+
+_COMPONENT_BY_CLASS = "unreal_service.find_component_by_class"
+_COMPONENT_BY_NAME = "unreal_service.find_component_by_name"
+_COMPONENTS_BY_CLASS = "unreal_service.find_components_by_class"
+
+
+class UnrealObject(ObjectBase):
+    """An object of the engine. Copies share it; it does not keep it alive: using one that was destroyed raises StaleObject.
+
+    Two are equal if they are the same object of the same session. Attributes that do not start with ``__`` and are not methods of
+    ObjectBase are Unreal's functions and variables.
+    """
+
+    __slots__ = ()
+
+    if TYPE_CHECKING:
+
+        @property
+        def async_(self) -> AsyncNamespace: ...
+        @property
+        def send_(self) -> SendNamespace: ...
+
     def __getattr__(self, name: str) -> Member:
-        if name.startswith("__"):
+        if name in renamed:
+            name = unreal_name_of(self, name)
+        elif name.startswith("__"):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         return Member(self, name, SYNC)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if name in _OBJECT_METHODS:
-            raise AttributeError(f"{name!r} is a method of spear.UnrealObject; for a variable of that name use object.set({name!r}, value)")
-        self._session.set_property(self, name, value, SYNC)
+        if name in OBJECT_METHODS:
+            raise AttributeError(f"{name!r} is a member of spear.ObjectBase; a variable of Unreal of that name is object.{name.rstrip('_')}_ here")
+        self._session.set_property(self, unreal_name_of(self, name) if name in renamed else name, value, SYNC)
 
     def __dir__(self) -> list[str]:
         """Methods here, then the class's functions and variables with those it inherits: what completion in a shell shows."""
@@ -80,15 +142,13 @@ class UnrealObject(_native.Object):
 
         return sorted({*object.__dir__(self), *member_names(self)})
 
-    def __repr__(self) -> str:
-        return f"<{self._class_name} handle={self._handle:#x}>"
+
+#: What objects have of their own; a test compares it with the list that stubs are made with.
+OBJECT_METHODS = frozenset(name for name in vars(ObjectBase) if not name.startswith("_"))
 
 
-_OBJECT_METHODS = frozenset(name for name in vars(UnrealObject) if not name.startswith("__"))
-
-
-class AsyncNamespace:
-    """``object.async_`` and ``object.send_``: functions and variables of an object (or of a future one), not waited for."""
+class AsyncBase:
+    """What ``object.async_`` has of its own: the methods of ObjectBase, each giving a Future."""
 
     __slots__ = ("_target", "_mode")
     _target: Any
@@ -98,28 +158,106 @@ class AsyncNamespace:
         _set(self, "_target", target)
         _set(self, "_mode", mode)
 
+    def call(self, function: str, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Calls a function by Unreal's name."""
+        return self._target._session.call_function(self._target, function, args, kwargs, self._mode | RAW)  # type: ignore[no-any-return]
+
+    def get(self, path: str, /) -> Future[Any]:
+        """Reads the variable at a path."""
+        return self._target._session.get_property(self._target, path, self._mode | RAW)  # type: ignore[no-any-return]
+
+    def set(self, path: str, value: Any, /) -> Future[None]:
+        """Writes the variable at a path."""
+        return self._target._session.set_property(self._target, path, value, self._mode)  # type: ignore[no-any-return]
+
+    def is_valid(self) -> Future[bool]:
+        """Whether the object lives when this runs."""
+        return self._service("unreal_service.is_valid")  # type: ignore[no-any-return]
+
+    def get_class(self) -> Future[UnrealObject]:
+        """The class of the object."""
+        return self._service("unreal_service.get_class")  # type: ignore[no-any-return]
+
+    def get_path_name(self) -> Future[str]:
+        """The object's path."""
+        return self._service("unreal_service.get_path_name")  # type: ignore[no-any-return]
+
+    @overload
+    def get_component(self, uclass: type[_T], name: str = "") -> Future[_T]: ...
+    @overload
+    def get_component(self, uclass: str | ObjectBase, name: str = "") -> Future[UnrealObject]: ...
+    def get_component(self, uclass: Any, name: str = "") -> Any:
+        """The actor's only component of a class, or the one of that class and name."""
+        return self._service(_COMPONENT_BY_NAME if name else _COMPONENT_BY_CLASS, class_argument(uclass), name)
+
+    @overload
+    def get_components(self, uclass: type[_T]) -> Future[list[_T]]: ...
+    @overload
+    def get_components(self, uclass: str | ObjectBase) -> Future[list[UnrealObject]]: ...
+    def get_components(self, uclass: Any) -> Any:
+        """The actor's components of a class."""
+        return self._service(_COMPONENTS_BY_CLASS, class_argument(uclass), "")
+
+    def _service(self, name: str, *args: Any) -> Any:
+        return self._target._session.call(name, (self._target, *args), {}, self._mode)
+
+    def __dir__(self) -> list[str]:
+        return dir(self._target)
+
+
+class AsyncNamespace(AsyncBase):
+    """``object.async_``: functions and variables of an object (or of a future one), not waited for."""
+
+    __slots__ = ()
+
     def __getattr__(self, name: str) -> Member:
-        if name.startswith("__"):
+        if name in renamed:
+            name = unreal_name_of(self._target, name)
+        elif name.startswith("__"):
             raise AttributeError(name)
         return Member(self._target, name, self._mode)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        self._target._session.set_property(self._target, name, value, self._mode)
+        self._target._session.set_property(self._target, unreal_name_of(self._target, name) if name in renamed else name, value, self._mode)
 
-    def call(self, function: str, /, *args: Any, **kwargs: Any) -> Any:
-        """Calls a function by name."""
-        return self._target._session.call_function(self._target, function, args, kwargs, self._mode)
 
-    def get(self, path: str, /) -> Any:
-        """Reads the variable at a path: a Future."""
-        return self._target._session.get_property(self._target, path, self._mode)
+class SendBase:
+    """What ``object.send_`` has of its own."""
 
-    def set(self, path: str, value: Any, /) -> Any:
+    __slots__ = ("_target", "_mode")
+    _target: Any
+    _mode: int
+
+    def __init__(self, target: Any, mode: int) -> None:
+        _set(self, "_target", target)
+        _set(self, "_mode", mode)
+
+    def call(self, function: str, /, *args: Any, **kwargs: Any) -> None:
+        """Calls a function by Unreal's name."""
+        self._target._session.call_function(self._target, function, args, kwargs, self._mode)
+
+    def set(self, path: str, value: Any, /) -> None:
         """Writes the variable at a path."""
-        return self._target._session.set_property(self._target, path, value, self._mode)
+        self._target._session.set_property(self._target, path, value, self._mode)
 
     def __dir__(self) -> list[str]:
         return dir(self._target)
+
+
+class SendNamespace(SendBase):
+    """``object.send_``: functions and variables of an object (or of a future one), fire-and-forget."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name: str) -> Member:
+        if name in renamed:
+            name = unreal_name_of(self._target, name)
+        elif name.startswith("__"):
+            raise AttributeError(name)
+        return Member(self._target, name, self._mode)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        self._target._session.set_property(self._target, unreal_name_of(self._target, name) if name in renamed else name, value, self._mode)
 
 
 class Member:
@@ -146,18 +284,66 @@ class Member:
             owner, _, path = path.rpartition(".")
             if not owner:
                 raise TypeError(f"{self._path!r} is an element of a variable, not a function")
-            target = session.get_property(target, owner, ASYNC)
+            target = session.get_property(target, owner, ASYNC | RAW)
         return session.call_function(target, path, args, kwargs, self._mode)
 
     # As a variable ---------------------------------------------------------------------------------------------------
 
-    def get(self) -> Any:
-        """The variable's value; a Future under ``async_``."""
+    def get(self, path: str = "", /) -> Any:
+        """The variable's value; a Future under ``async_``. NullObject if it is an object, and null.
+
+        With a path: what is there, seen from the object that the variable holds (as ``object.get(path)``).
+        """
+        if path:
+            return self._target._session.get_property(self._target, f"{self._path}.{path}", self._mode | RAW)
         return self._target._session.get_property(self._target, self._path, self._mode)
 
-    def set(self, value: Any, /) -> Any:
-        """Writes the variable, through Unreal's own setter where it has one."""
-        return self._target._session.set_property(self._target, self._path, value, self._mode)
+    def get_or_none(self) -> Any:
+        """The variable's value, None for an object that is null; a Future under ``async_``."""
+        return self._target._session.get_property(self._target, self._path, self._mode | RAW)
+
+    @overload
+    def set(self, value: Any, /) -> Any: ...
+    @overload
+    def set(self, path: str, value: Any, /) -> Any: ...
+    def set(self, *given: Any) -> Any:
+        """Writes the variable, through Unreal's own setter where it has one. With a path before the value: what is there (see get)."""
+        if len(given) != 1:
+            path, value = given
+            return self._target._session.set_property(self._target, f"{self._path}.{path}", value, self._mode)
+        return self._target._session.set_property(self._target, self._path, given[0], self._mode)
+
+    # As the object that the variable holds: one round trip, as the server passes it on -----------------------------------------------------
+
+    def call(self, function: str, /, *args: Any, **kwargs: Any) -> Any:
+        """Calls a function of the object by Unreal's name."""
+        return self._target._session.call_function(self._held(), function, args, kwargs, self._mode | RAW)
+
+    def is_valid(self) -> Any:
+        """Whether the object lives; False for null."""
+        return self._service("unreal_service.is_valid")
+
+    def get_class(self) -> Any:
+        """The class of the object."""
+        return self._service("unreal_service.get_class")
+
+    def get_path_name(self) -> Any:
+        """The object's path."""
+        return self._service("unreal_service.get_path_name")
+
+    def get_component(self, uclass: Any, name: str = "") -> Any:
+        """The actor's only component of a class, or the one of that class and name."""
+        return self._service(_COMPONENT_BY_NAME if name else _COMPONENT_BY_CLASS, class_argument(uclass), name)
+
+    def get_components(self, uclass: Any) -> Any:
+        """The actor's components of a class."""
+        return self._service(_COMPONENTS_BY_CLASS, class_argument(uclass), "")
+
+    def _held(self) -> Any:
+        return self._target._session.get_property(self._target, self._path, ASYNC | RAW)
+
+    def _service(self, name: str, *args: Any) -> Any:
+        return self._target._session.call(name, (self._held(), *args), {}, self._mode)
 
     @property
     def async_(self) -> Member:
@@ -170,11 +356,15 @@ class Member:
         return Member(self._target, self._path, SEND)
 
     def __getattr__(self, name: str) -> Member:
-        if name.startswith("__"):
+        if name in renamed:
+            name = unreal_name_of(None, name)
+        elif name.startswith("__"):
             raise AttributeError(name)
         return Member(self._target, f"{self._path}.{name}", self._mode)
 
     def __setattr__(self, name: str, value: Any) -> None:
+        if name in renamed:
+            name = unreal_name_of(None, name)
         self._target._session.set_property(self._target, f"{self._path}.{name}", value, self._mode)
 
     def __getitem__(self, key: int | str) -> Member:
@@ -199,6 +389,8 @@ class Member:
 
 
 def _key_text(key: int | str) -> str:
+    if isinstance(key, UnrealEnum):
+        key = key.unreal_entry
     if isinstance(key, str):
         escaped = key.replace("\\", "\\\\").replace('"', '\\"')
         return f'"{escaped}"'
@@ -212,10 +404,15 @@ def future_object(future: Future[Any]) -> FutureObject:
     return FutureObject(future)
 
 
+def _method(function: Any) -> Any:
+    """A method of objects for objects to come: they have a session too, which puts the future in their place."""
+    return function
+
+
 class FutureObject:
     """What ``future.object`` gives: functions and variables of an object that is not known yet. The server passes it on (guarantee G8).
 
-    Calls are synchronous, as on an object; ``.async_`` and ``.send_`` as there.
+    It has what an object has. Calls are synchronous, as there; ``.async_`` and ``.send_`` too.
     """
 
     __slots__ = ("_future", "_session")
@@ -232,17 +429,23 @@ class FutureObject:
         return AsyncNamespace(self, ASYNC)
 
     @property
-    def send_(self) -> AsyncNamespace:
+    def send_(self) -> SendNamespace:
         """Fire-and-forget calls on the object to come."""
-        return AsyncNamespace(self, SEND)
+        return SendNamespace(self, SEND)
+
+    call, get, set = _method(ObjectBase.call), _method(ObjectBase.get), _method(ObjectBase.set)
+    is_valid, get_class, get_path_name = _method(ObjectBase.is_valid), _method(ObjectBase.get_class), _method(ObjectBase.get_path_name)
+    get_component, get_components = _method(ObjectBase.get_component), _method(ObjectBase.get_components)
 
     def __getattr__(self, name: str) -> Member:
-        if name.startswith("__"):
+        if name in renamed:
+            name = unreal_name_of(None, name)
+        elif name.startswith("__"):
             raise AttributeError(name)
         return Member(self, name, SYNC)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        self._session.set_property(self, name, value, SYNC)
+        self._session.set_property(self, unreal_name_of(None, name) if name in renamed else name, value, SYNC)
 
     def __repr__(self) -> str:
         return f"<object of {self._future!r}>"
@@ -258,6 +461,9 @@ class _Redirect:
 
     def _target(self, target: Any) -> Any:
         return self._future if isinstance(target, FutureObject) else target
+
+    def call(self, entry_point: str, args: tuple[Any, ...], kwargs: dict[str, Any], mode: int) -> Any:
+        return self._future._session.call(entry_point, tuple(map(self._target, args)), kwargs, mode)
 
     def call_function(self, target: Any, name: str, args: tuple[Any, ...], kwargs: dict[str, Any], mode: int) -> Any:
         return self._future._session.call_function(self._target(target), name, args, kwargs, mode)

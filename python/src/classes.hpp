@@ -3,6 +3,8 @@
 
 // The Python classes that the package hands to this extension (spear/_setup.py). They live as long as the interpreter.
 
+#include <cstdint>
+
 #include <nanobind/nanobind.h>
 
 namespace spear::python {
@@ -11,10 +13,17 @@ namespace nb = nanobind;
 struct Classes {
     PyObject* object = nullptr;        ///< spear.UnrealObject
     PyObject* struct_base = nullptr;   ///< spear.structs.Struct
-    PyObject* struct_class = nullptr;  ///< spear.structs.struct_class(name, field_names)
-    PyObject* enum_class = nullptr;    ///< spear._setup._enum_class(name, entries)
+    PyObject* struct_class = nullptr;  ///< spear.structs.announced(name, path, field_names) -> (class, attributes)
+    PyObject* enum_class = nullptr;    ///< spear.enums.announced(name, path, flags, entries) -> (class, {number: member}, ...)
+    PyObject* enum_entries = nullptr;  ///< spear.enums.wire_entries(class) -> (name, flags, entries) or None
+    PyObject* result_class = nullptr;  ///< spear.results.result_class(name, fields) -> class
+    PyObject* null_result = nullptr;   ///< spear.nulls.null_result(...): raises where a null object is none of the results
+    PyObject* parameter_name = nullptr; ///< spear.naming.parameter_name(keyword) -> Unreal's name
     PyObject* errors = nullptr;        ///< {name: class}
     PyObject* future_object = nullptr; ///< spear.unreal_object.future_object(future)
+
+    /// Counts the announcements of enums by engines: a class may have got more entries, so that it is announced anew.
+    std::uint32_t enums_seen = 0;
 };
 
 inline Classes classes;
@@ -23,10 +32,10 @@ inline Classes classes;
 struct Names {
     PyObject* struct_name = PyUnicode_InternFromString("struct_name");
     PyObject* field_names = PyUnicode_InternFromString("field_names");
+    PyObject* attributes = PyUnicode_InternFromString("_attributes");
     PyObject* field_types = PyUnicode_InternFromString("field_types");
     PyObject* unreal_name = PyUnicode_InternFromString("unreal_name");
     PyObject* future = PyUnicode_InternFromString("_future");
-    PyObject* value_to_member = PyUnicode_InternFromString("_value2member_map_");
 };
 inline const Names& names() {
     static const Names instance;

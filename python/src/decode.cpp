@@ -3,6 +3,7 @@
 
 #include "classes.hpp"
 #include "session.hpp"
+#include "spear/aliases.hpp"
 
 namespace spear::python {
 namespace {
@@ -28,6 +29,7 @@ nb::object decode_object(Decoder& in, nb::handle session) {
     ref.handle = in.get<std::uint64_t>();
     ref.class_type = in.get<TypeId>();
     if (ref.handle == 0) {
+        ++session_of(session).nulls_read;
         return nb::none();
     }
     nb::object made = nb::inst_alloc(classes.object);
@@ -39,6 +41,14 @@ nb::object decode_object(Decoder& in, nb::handle session) {
 nb::object decode_struct(Decoder& in, TypeId type, const TypeInfo& info, nb::handle session) {
     const StructReader& reader = session_of(session).struct_reader(type, info);
     auto* type_object = reinterpret_cast<PyTypeObject*>(reader.made);
+    if (reader.is_result) {
+        nb::object tuple = checked(type_object->tp_alloc(type_object, static_cast<Py_ssize_t>(info.fields.size())));
+        for (std::size_t i = 0; i < info.fields.size(); ++i) {
+            PyTuple_SET_ITEM(tuple.ptr(), static_cast<Py_ssize_t>(i),
+                decode_python(in, info.fields[i].type, session).release().ptr());
+        }
+        return tuple;
+    }
     nb::object made = checked(type_object->tp_alloc(type_object, 0));
     for (std::size_t i = 0; i < info.fields.size(); ++i) {
         const nb::object field = decode_python(in, info.fields[i].type, session);
@@ -88,8 +98,34 @@ nb::object decode_pairs(std::uint32_t count, Decoder& in, Key&& key, Element&& e
 nb::object decode_enum(Decoder& in, TypeId type, const TypeInfo& info, nb::handle session) {
     const StructReader& reader = session_of(session).enum_reader(type, info);
     const nb::object number = checked(PyLong_FromLongLong(in.get<std::int64_t>()));
-    PyObject* member = PyDict_GetItemWithError(reader.value_to_member, number.ptr());
-    return member ? nb::borrow(member) : number; // a number between the entries stays a number
+    if (PyObject* member = PyDict_GetItemWithError(reader.value_to_member, number.ptr())) {
+        return nb::borrow(member);
+    }
+    if (reader.combination) {
+        return nb::handle(reader.combination)(number);
+    }
+    return number; // a number between the entries stays a number
+}
+
+/// Asks whether nulls among the results can be meant: a null object, or some in a tuple of outputs or a container. Those
+/// inside of structs are what they are.
+void check_nulls(nb::handle value, nb::handle session, const Asked& asked) {
+    bool in_question = value.is_none() || PyList_CheckExact(value.ptr()) || PyAnySet_Check(value.ptr());
+    if (PyTuple_Check(value.ptr())) {
+        for (const nb::handle item : nb::borrow<nb::tuple>(value)) {
+            in_question |= item.is_none() || PyList_CheckExact(item.ptr()) || PyAnySet_Check(item.ptr());
+        }
+    }
+    if (in_question) {
+        nb::object name = asked.name;
+        if (asked.is_function) {
+            Py_ssize_t size = 0;
+            const char* written = PyUnicode_AsUTF8AndSize(name.ptr(), &size);
+            const std::string_view reflected = resolve_function_alias({written, static_cast<std::size_t>(size)});
+            name = nb::str(reflected.data(), reflected.size());
+        }
+        nb::handle(classes.null_result)(session, asked.target, name, asked.is_function, value);
+    }
 }
 
 } // namespace
@@ -174,11 +210,15 @@ nb::object decode_python(Decoder& in, TypeId type, nb::handle session) {
     }
 }
 
-nb::object decode_result(const RawResult& result, nb::handle session) {
+nb::object decode_result(const RawResult& result, nb::handle session, const Asked& asked) {
     Decoder in(result.view.payload);
+    const std::uint64_t nulls_before = session_of(session).nulls_read;
     nb::object value = decode_python(in, result.view.type, session);
     if (!in.ok()) {
         malformed();
+    }
+    if (session_of(session).nulls_read != nulls_before && asked.target.is_valid()) {
+        check_nulls(value, session, asked);
     }
     return value;
 }

@@ -92,32 +92,75 @@ bool encode_number_payload(Encoder& out, TypeId type, PyObject* value) {
     }
 }
 
+/// A field's value; nothing if it is not set. Not through __getattr__, which only words the error.
+nb::object field_of(PyObject* value, PyObject* name) {
+    PyObject* field = PyObject_GenericGetAttr(value, name);
+    if (!field) {
+        if (!PyErr_ExceptionMatches(PyExc_AttributeError)) {
+            throw nb::python_error();
+        }
+        PyErr_Clear();
+    }
+    return nb::steal(field);
+}
+
+/// The fields that are set, by name: the engine gives the others Unreal's own defaults.
+void encode_set_fields(
+    OperationBuilder& operation, PySession& session, const StructWriter& writer, PyObject* value, std::size_t depth) {
+    Encoder& out = operation.out();
+    out.put(types::dict);
+    const std::size_t count_at = out.reserve<std::uint32_t>();
+    std::uint32_t count = 0;
+    if (writer.fields.empty()) { // a struct of which nothing is known: it has what it was given
+        const nb::object fields = nb::steal(PyObject_GenericGetDict(value, nullptr));
+        if (!fields.is_valid()) {
+            throw nb::python_error();
+        }
+        PyObject *name = nullptr, *field = nullptr;
+        Py_ssize_t position = 0;
+        while (PyDict_Next(fields.ptr(), &position, &name, &field)) {
+            encode_text(out, name);
+            encode_python(operation, session, field, depth + 1);
+            ++count;
+        }
+    }
+    for (std::size_t i = 0; i < writer.fields.size(); ++i) {
+        if (const nb::object field = field_of(value, writer.fields[i]); field.is_valid()) {
+            out.put_text(writer.names[i]);
+            encode_python(operation, session, field, depth + 1);
+            ++count;
+        }
+    }
+    out.patch(count_at, count);
+}
+
 /// A struct value: as plain numbers if its class says so and all fields are numbers now, else each field with its own
 /// type.
 void encode_struct(OperationBuilder& operation, PySession& session, PyObject* value, std::size_t depth) {
     const StructWriter& writer = session.writer_for(Py_TYPE(value));
     Encoder& out = operation.out();
+    const std::size_t start = out.buffer.size();
     if (writer.numbers != types::null) {
-        const std::size_t start = out.buffer.size();
         out.put(writer.numbers);
         bool all = true;
         for (std::size_t i = 0; i < writer.fields.size() && all; ++i) {
-            const nb::object field = nb::steal(PyObject_GetAttr(value, writer.fields[i]));
-            if (!field.is_valid()) {
-                throw nb::python_error();
-            }
-            all = encode_number_payload(out, writer.field_types[i], field.ptr());
+            const nb::object field = field_of(value, writer.fields[i]);
+            all = field.is_valid() && encode_number_payload(out, writer.field_types[i], field.ptr());
         }
         if (all) {
             return;
         }
         out.buffer.resize(start);
     }
+    if (writer.fields.empty()) {
+        return encode_set_fields(operation, session, writer, value, depth);
+    }
     out.put(writer.anything);
     for (PyObject* name : writer.fields) {
-        const nb::object field = nb::steal(PyObject_GetAttr(value, name));
+        const nb::object field = field_of(value, name);
         if (!field.is_valid()) {
-            throw nb::python_error();
+            out.buffer.resize(start);
+            return encode_set_fields(operation, session, writer, value, depth);
         }
         encode_python(operation, session, field, depth + 1);
     }
@@ -227,8 +270,19 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
     } else if (PyBool_Check(value)) {
         out.put(types::boolean);
         out.put(static_cast<std::uint8_t>(value == Py_True));
-    } else if (PyLong_Check(value)) {
+    } else if (PyLong_CheckExact(value)) {
         encode_integer(out, value);
+    } else if (PyLong_Check(value)) {
+        const TypeId type = session.enum_type(Py_TYPE(value));
+        if (type == types::null) {
+            encode_integer(out, value);
+        } else { // an enum of Unreal: the announcement names the entries, so that other numbers of the engine do no harm
+            out.put(type);
+            out.put(static_cast<std::int64_t>(PyLong_AsLongLong(value)));
+            if (PyErr_Occurred()) {
+                throw nb::python_error();
+            }
+        }
     } else if (PyUnicode_Check(value)) {
         out.put(types::string);
         encode_text(out, value);
@@ -290,6 +344,9 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         encode_integer(out, number.ptr());
     } else if (PyType_Check(value) && PyObject_HasAttr(value, names().unreal_name)) {
         const nb::object name = nb::getattr(handle, nb::handle(names().unreal_name));
+        if (!PyUnicode_Check(name.ptr())) {
+            refuse(value);
+        }
         out.put(types::string);
         encode_text(out, name.ptr());
     } else if (PyObject_HasAttr(value, names().future)) { // FutureObject

@@ -120,10 +120,18 @@ nb::dict describe_engine(const std::string& address, std::uint32_t timeout_ms) {
     return result;
 }
 
-void setup(nb::handle object_class, nb::handle struct_base, nb::handle struct_class, nb::handle enum_class,
-    nb::handle errors, nb::handle future_object) {
-    classes = {Py_NewRef(object_class.ptr()), Py_NewRef(struct_base.ptr()), Py_NewRef(struct_class.ptr()),
-        Py_NewRef(enum_class.ptr()), Py_NewRef(errors.ptr()), Py_NewRef(future_object.ptr())};
+void setup(const nb::kwargs& given) {
+    const auto take = [&](const char* name) { return Py_NewRef(nb::object(given[name]).ptr()); };
+    classes.object = take("object_class");
+    classes.struct_base = take("struct_base");
+    classes.struct_class = take("struct_class");
+    classes.enum_class = take("enum_class");
+    classes.enum_entries = take("enum_entries");
+    classes.result_class = take("result_class");
+    classes.null_result = take("null_result");
+    classes.parameter_name = take("parameter_name");
+    classes.errors = take("errors");
+    classes.future_object = take("future_object");
 }
 
 nb::object future_get(const NativeFuture& future, std::optional<double> timeout) {
@@ -133,7 +141,7 @@ nb::object future_get(const NativeFuture& future, std::optional<double> timeout)
         result = future.operation.get(
             timeout ? std::optional(Milliseconds(static_cast<std::int64_t>(*timeout * 1000))) : std::nullopt);
     }
-    return future.has_result ? decode_result(result, future.session) : nb::none();
+    return future.has_result ? decode_result(result, future.session, future.asked) : nb::none();
 }
 
 } // namespace
@@ -153,6 +161,7 @@ NB_MODULE(_native, module) {
     module.attr("SYNC") = static_cast<int>(sync_mode);
     module.attr("ASYNC") = static_cast<int>(async_mode);
     module.attr("SEND") = static_cast<int>(send_mode);
+    module.attr("RAW") = static_cast<int>(raw_mode);
     module.attr("LEASE_OFF") = static_cast<std::uint32_t>(SPEAR_LEASE_OFF);
 
     nb::list error_list;

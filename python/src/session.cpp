@@ -53,6 +53,10 @@ std::string_view text_of(nb::handle text, const char* what) {
     return {utf8, static_cast<std::size_t>(size)};
 }
 
+Asked asked_about(nb::handle target, nb::handle name, int mode, bool is_function) {
+    return mode & raw_mode ? Asked{} : Asked{nb::borrow(target), nb::borrow(name), is_function};
+}
+
 TypeId number_type_named(std::string_view name) {
     static constexpr std::pair<std::string_view, TypeId> rows[] = {{"f64", types::f64}, {"f32", types::f32},
         {"i8", types::i8}, {"i16", types::i16}, {"i32", types::i32}, {"i64", types::i64}, {"u8", types::u8},
@@ -71,6 +75,7 @@ PySession::~PySession() {
     for (auto& [type, reader] : readers_) {
         Py_XDECREF(reader.made);
         Py_XDECREF(reader.value_to_member);
+        Py_XDECREF(reader.combination);
         for (PyObject* name : reader.fields) {
             Py_DECREF(name);
         }
@@ -85,18 +90,20 @@ PySession::~PySession() {
 // Operations
 // -------------------------------------------------------------------------------------------------------------------
 
-nb::object PySession::perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result) {
+nb::object PySession::perform(
+    nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked) {
+    mode &= ~raw_mode;
     if (mode == sync_mode) {
         RawResult result;
         {
             const nb::gil_scoped_release unlock;
             result = operation.call();
         }
-        return has_result ? decode_result(result, self) : nb::none();
+        return has_result ? decode_result(result, self, asked) : nb::none();
     }
     if (mode == async_mode) {
         return nb::cast(
-            new NativeFuture{nb::borrow(self), operation.async(), has_result}, nb::rv_policy::take_ownership);
+            new NativeFuture{nb::borrow(self), operation.async(), has_result, asked}, nb::rv_policy::take_ownership);
     }
     operation.send();
     return nb::none();
@@ -141,7 +148,7 @@ nb::object PySession::call(nb::handle self, std::string_view entry_point, nb::tu
             std::string(entry_point) + " has no such argument as one of " + nb::str(kwargs).c_str() + ".",
             std::string(entry_point));
     }
-    return perform(self, operation, mode, row.has_result);
+    return perform(self, operation, mode, row.has_result, {});
 }
 
 ShapeId PySession::function_shape(nb::handle function, std::size_t positional, nb::handle kwargs) {
@@ -160,8 +167,14 @@ ShapeId PySession::function_shape(nb::handle function, std::size_t positional, n
     }
     std::vector<std::string_view> argument_names(positional);
     position = 0;
+    std::vector<nb::object> renamed; // keeps the texts
     while (PyDict_Next(kwargs.ptr(), &position, &name, &value)) {
-        argument_names.push_back(text_of(name, "A keyword"));
+        std::string_view keyword = text_of(name, "A keyword");
+        if (keyword.ends_with('_')) { // may stand for a word of Python: `class_` for `class`
+            renamed.push_back(nb::handle(classes.parameter_name)(nb::handle(name)));
+            keyword = text_of(renamed.back(), "A keyword");
+        }
+        argument_names.push_back(keyword);
     }
     const ShapeId shape = session_->call_shape(std::string_view(key).substr(0, name_size), argument_names);
     if (positional < 64) {
@@ -192,7 +205,7 @@ nb::object PySession::call_function(
     while (PyDict_Next(kwargs.ptr(), &position, &name, &value)) {
         encode_python(operation, session, value);
     }
-    return perform(self, operation, mode, true);
+    return perform(self, operation, mode, true, asked_about(target, function, mode, true));
 }
 
 nb::object PySession::get_property(nb::handle self, nb::handle target, nb::handle path, int mode) {
@@ -200,7 +213,7 @@ nb::object PySession::get_property(nb::handle self, nb::handle target, nb::handl
     OperationBuilder operation(*session.session_, unreal_service::get_property);
     encode_python(operation, session, target);
     operation.put_shape(session.path_shape(path));
-    return perform(self, operation, mode, true);
+    return perform(self, operation, mode, true, asked_about(target, path, mode, false));
 }
 
 nb::object PySession::set_property(nb::handle self, nb::handle target, nb::handle path, nb::handle value, int mode) {
@@ -209,7 +222,7 @@ nb::object PySession::set_property(nb::handle self, nb::handle target, nb::handl
     encode_python(operation, session, target);
     operation.put_shape(session.path_shape(path));
     encode_python(operation, session, value);
-    return perform(self, operation, mode, false);
+    return perform(self, operation, mode, false, {});
 }
 
 // Blocks
@@ -254,16 +267,23 @@ const StructWriter& PySession::writer_for(PyTypeObject* type) {
     TypeInfo info;
     info.kind = TypeKind::structure;
     info.name = nb::cast<std::string>(nb::getattr(python_class, nb::handle(names().struct_name)));
-    const auto fields = nb::cast<nb::tuple>(nb::getattr(python_class, nb::handle(names().field_names)));
+    const auto field_names = nb::cast<nb::tuple>(nb::getattr(python_class, nb::handle(names().field_names)));
+    const auto attributes = nb::cast<nb::tuple>(nb::getattr(python_class, nb::handle(names().attributes)));
     const auto field_types = nb::cast<nb::tuple>(nb::getattr(python_class, nb::handle(names().field_types)));
-    for (const nb::handle field : fields) {
-        PyObject* name = Py_NewRef(field.ptr());
+    for (const nb::handle attribute : attributes) {
+        PyObject* name = Py_NewRef(attribute.ptr());
         PyUnicode_InternInPlace(&name);
         writer.fields.push_back(name);
-        info.fields.push_back({nb::cast<std::string>(field), types::any});
+    }
+    for (const nb::handle field : field_names) {
+        writer.names.push_back(nb::cast<std::string>(field));
+        info.fields.push_back({writer.names.back(), types::any});
+    }
+    if (writer.fields.empty()) {
+        return writers_.emplace(type, std::move(writer)).first->second; // nothing is known of it: values go as dictionaries
     }
     writer.anything = session_->number_of(info);
-    if (!writer.fields.empty() && field_types.size() == writer.fields.size()) {
+    if (field_types.size() == writer.fields.size()) {
         for (std::size_t i = 0; i < writer.fields.size(); ++i) {
             writer.field_types.push_back(number_type_named(nb::cast<std::string>(field_types[i])));
             info.fields[i].type = writer.field_types.back();
@@ -278,15 +298,29 @@ const StructReader& PySession::struct_reader(TypeId type, const TypeInfo& info) 
         return at->second;
     }
     StructReader reader;
+    const nb::str name(info.name.c_str(), info.name.size());
     nb::list fields;
     for (const FieldInfo& field : info.fields) {
         fields.append(nb::str(field.name.c_str(), field.name.size()));
-        PyObject* name = PyUnicode_FromStringAndSize(field.name.data(), static_cast<Py_ssize_t>(field.name.size()));
-        PyUnicode_InternInPlace(&name);
-        reader.fields.push_back(name);
     }
-    reader.made =
-        nb::handle(classes.struct_class)(nb::str(info.name.c_str(), info.name.size()), fields).release().ptr();
+    reader.is_result = info.path.empty() && info.name.ends_with("_Result");
+    if (reader.is_result) {
+        reader.made = nb::handle(classes.result_class)(name, fields).release().ptr();
+        return readers_.emplace(type, std::move(reader)).first->second;
+    }
+    const auto made = nb::cast<nb::tuple>(
+        nb::handle(classes.struct_class)(name, nb::str(info.path.c_str(), info.path.size()), fields));
+    const nb::object python_class = made[0];
+    for (const nb::handle attribute : nb::cast<nb::tuple>(made[1])) {
+        PyObject* interned = Py_NewRef(attribute.ptr());
+        PyUnicode_InternInPlace(&interned);
+        reader.fields.push_back(interned);
+    }
+    if (reader.fields.size() != info.fields.size()) {
+        throw_error(ErrorCode::InternalError, "spear.structs gave a class with other fields than " + info.name + " has.");
+    }
+    writers_.erase(reinterpret_cast<PyTypeObject*>(python_class.ptr())); // the class may have got more fields
+    reader.made = nb::object(python_class).release().ptr();
     return readers_.emplace(type, std::move(reader)).first->second;
 }
 
@@ -299,10 +333,39 @@ const StructReader& PySession::enum_reader(TypeId type, const TypeInfo& info) {
     for (const EnumEntry& entry : info.entries) {
         entries.append(nb::make_tuple(nb::str(entry.name.c_str(), entry.name.size()), entry.value));
     }
-    const nb::object made = nb::handle(classes.enum_class)(nb::str(info.name.c_str(), info.name.size()), entries);
-    reader.value_to_member = nb::getattr(made, nb::handle(names().value_to_member)).release().ptr();
-    reader.made = nb::object(made).release().ptr();
+    const auto made = nb::cast<nb::tuple>(nb::handle(classes.enum_class)(nb::str(info.name.c_str(), info.name.size()),
+        nb::str(info.path.c_str(), info.path.size()), nb::bool_(info.key == types::u64), entries));
+    ++classes.enums_seen;
+    reader.made = nb::object(made[0]).release().ptr();
+    reader.value_to_member = nb::object(made[1]).release().ptr();
+    if (!made[2].is_none()) {
+        reader.combination = nb::object(made[2]).release().ptr();
+    }
     return readers_.emplace(type, std::move(reader)).first->second;
+}
+
+TypeId PySession::enum_type(PyTypeObject* type) {
+    const auto at = enum_writers_.find(type);
+    if (at != enum_writers_.end() && (at->second.type == types::null || at->second.enums_seen == classes.enums_seen)) {
+        return at->second.type;
+    }
+    EnumWriter writer;
+    const nb::object found = nb::handle(classes.enum_entries)(nb::handle(reinterpret_cast<PyObject*>(type)));
+    if (!found.is_none()) {
+        TypeInfo info;
+        info.kind = TypeKind::enumeration;
+        info.name = nb::cast<std::string>(found[0]);
+        info.key = nb::cast<bool>(found[1]) ? types::u64 : types::null;
+        for (const nb::handle entry : nb::cast<nb::list>(found[2])) {
+            info.entries.push_back({nb::cast<std::string>(entry[0]), nb::cast<std::int64_t>(entry[1])});
+        }
+        writer.type = session_->number_of(info);
+    }
+    writer.enums_seen = classes.enums_seen;
+    if (at == enum_writers_.end()) {
+        Py_INCREF(type); // the cache names it: it must not be another class later
+    }
+    return (enum_writers_[type] = writer).type;
 }
 
 nb::object PySession::class_names(TypeId class_type) {

@@ -20,21 +20,38 @@
 namespace spear::python {
 namespace nb = nanobind;
 
-enum Mode : int { sync_mode = 0, async_mode = 1, send_mode = 2 };
+/// How an operation is performed. With `raw_mode` added, a null object is always None: nobody is asked whether that may be.
+enum Mode : int { sync_mode = 0, async_mode = 1, send_mode = 2, raw_mode = 4 };
 
 /// How values of a Python struct class are written.
 struct StructWriter {
     TypeId numbers = types::null;    ///< announced type whose fields are numbers; null if the class names none
     TypeId anything = types::null;   ///< announced type with fields of any type
-    std::vector<PyObject*> fields;   ///< interned names, kept alive by the class
+    std::vector<PyObject*> fields;   ///< interned names of the attributes, kept alive by the class
+    std::vector<std::string> names;  ///< the engine's names of the fields
     std::vector<TypeId> field_types; ///< of `numbers`
+};
+
+/// How values of a Python enum class are written.
+struct EnumWriter {
+    TypeId type = types::null;    ///< announced with names and numbers; null if the class is no enum of Unreal
+    std::uint32_t enums_seen = 0; ///< as of which it holds
 };
 
 /// How values of an announced struct or enum are read.
 struct StructReader {
     PyObject* made = nullptr;            ///< the class (owned)
-    std::vector<PyObject*> fields;       ///< interned names (owned)
+    std::vector<PyObject*> fields;       ///< interned names of the attributes (owned)
+    bool is_result = false;              ///< the outputs of a function: a named tuple
     PyObject* value_to_member = nullptr; ///< enums: {number: member} (owned)
+    PyObject* combination = nullptr;     ///< enums of bits: what makes a member of any number (owned), or null
+};
+
+/// What an operation was about, for results that are null.
+struct Asked {
+    nb::object target;        ///< the object, or the future of it; nothing for entry points, and in raw mode
+    nb::object name;          ///< the function, or the path of the variable
+    bool is_function = false;
 };
 
 class __attribute__((visibility("hidden"))) PySession {
@@ -73,10 +90,15 @@ public:
     const StructWriter& writer_for(PyTypeObject* type);
     const StructReader& struct_reader(TypeId type, const TypeInfo& info);
     const StructReader& enum_reader(TypeId type, const TypeInfo& info);
+    /// The announced type of an enum class's values; null for classes that are no enums of Unreal.
+    TypeId enum_type(PyTypeObject* type);
     nb::object class_names(TypeId class_type);
 
+    /// How many null objects were read so far.
+    std::uint64_t nulls_read = 0;
+
 private:
-    static nb::object perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result);
+    static nb::object perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked);
     ShapeId function_shape(nb::handle function, std::size_t positional, nb::handle kwargs);
     ShapeId path_shape(nb::handle path);
 
@@ -85,6 +107,7 @@ private:
     std::unordered_map<std::string, ShapeId> function_shapes_;
     std::unordered_map<std::string, ShapeId> path_shapes_;
     std::unordered_map<PyTypeObject*, StructWriter> writers_;
+    std::unordered_map<PyTypeObject*, EnumWriter> enum_writers_;
     std::unordered_map<TypeId, StructReader> readers_;
 };
 
@@ -98,6 +121,7 @@ struct __attribute__((visibility("hidden"))) NativeFuture {
     nb::object session; // a PySession
     OperationHandle operation;
     bool has_result = true;
+    Asked asked;
 };
 
 inline PySession& session_of(nb::handle self) { return *nb::inst_ptr<PySession>(self); }
@@ -107,7 +131,8 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle v
 
 // decode.cpp: reads one value.
 nb::object decode_python(Decoder& in, TypeId type, nb::handle session);
-nb::object decode_result(const RawResult& result, nb::handle session);
+/// Reads an operation's result. Raises NullObject if it is a null object that cannot be meant (spear.nulls).
+nb::object decode_result(const RawResult& result, nb::handle session, const Asked& asked);
 
 // errors.cpp
 void set_python_error(const detail::ErrorBase& error);

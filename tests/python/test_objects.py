@@ -35,9 +35,12 @@ def test_functions_take_keywords_positions_and_defaults(actor: spear.UnrealObjec
 
 def test_out_parameters_come_back_by_name(actor: spear.UnrealObject) -> None:
     result = actor.K2_SetActorLocation(NewLocation=spear.FVector(7, 8, 9), bSweep=False, bTeleport=True)
-    assert result.ReturnValue is True and "SweepHitResult" in result.field_names
+    assert isinstance(result, tuple) and result.ReturnValue is True and result._fields == ("ReturnValue", "SweepHitResult")
+    moved, hit = result
+    assert moved is True and hit is result.SweepHitResult is result[1]
     bounds = actor.GetActorBounds(bOnlyCollidingComponents=False)
-    origin, extent = bounds.Origin, bounds.BoxExtent
+    origin, extent = bounds
+    assert bounds.Origin is origin and bounds.BoxExtent is extent
     assert isinstance(origin, spear.FVector) and extent.X > 0
 
 

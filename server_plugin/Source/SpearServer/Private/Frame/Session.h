@@ -55,6 +55,7 @@ public:
     FTypeNumbers TypeNumbers;
     FHandleTable Handles;
     FStructConversions Conversions;
+    FEnumConversions EnumConversions;
     FCallPlans CallPlans;
     FPropertyPaths PropertyPaths;
 

@@ -5,16 +5,11 @@
 
 namespace SpearServer {
 
-namespace {
-
-/// The entry's name without the enum's scope.
 std::string ShortNameOfEntry(const UEnum* Enum, int32 Index) {
     const std::string Full = ToUtf8(Enum->GetNameByIndex(Index));
     const std::size_t Scope = Full.rfind("::");
     return Scope == std::string::npos ? Full : Full.substr(Scope + 2);
 }
-
-} // namespace
 
 spear::TypeId FTypeNumbers::NumberOf(const FTypePlan& Plan) {
     if (Plan.Builtin != spear::types::null) {
@@ -29,6 +24,7 @@ spear::TypeId FTypeNumbers::NumberOf(const FTypePlan& Plan) {
         Info.kind = spear::TypeKind::enumeration;
         Info.name = ToUtf8(Plan.Enum->GetName());
         Info.path = ToUtf8(Plan.Enum->GetPathName());
+        Info.key = Plan.Enum->HasAnyEnumFlags(EEnumFlags::Flags) ? spear::types::u64 : spear::types::null;
         for (int32 Index = 0; Index < Plan.Enum->NumEnums(); ++Index) {
             Info.entries.push_back({ShortNameOfEntry(Plan.Enum, Index), Plan.Enum->GetValueByIndex(Index)});
         }

@@ -15,6 +15,9 @@
 
 namespace SpearServer {
 
+/// The name of an enum's entry without the enum's scope: as it is announced.
+std::string ShortNameOfEntry(const UEnum* Enum, int32 Index);
+
 class FTypeNumbers {
 public:
     const spear::TypeTable& Table() const { return Announcer.table(); }

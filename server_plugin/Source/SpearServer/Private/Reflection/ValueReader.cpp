@@ -205,6 +205,17 @@ bool FValueReader::ReadNumber(const FTypePlan& Plan, void* Address, spear::Decod
         return Code;
     };
     spear::CodecError Code = spear::CodecError::wrong_type;
+    const spear::TypeInfo* Info = Operation.Session->Tables().find(Type);
+    if (const FNumericProperty* Numeric = CastField<FNumericProperty>(Plan.Property);
+        Info && Info->kind == spear::TypeKind::enumeration && Numeric && Numeric->IsInteger()) {
+        const auto Value = In.get<int64>(); // an enum's entry as a mere number
+        if (!Numeric->CanHoldValue(Value)) {
+            return Fail(ErrorCode::OutOfRange, Place() + " is outside the range of " + ExpectedTypeOf(Plan),
+                ExpectedTypeOf(Plan));
+        }
+        Numeric->SetIntPropertyValue(Address, Value);
+        return true;
+    }
     switch (Plan.Builtin) {
     case types::i8:
         Code = ReadAs(int8{});
@@ -263,8 +274,7 @@ bool FValueReader::ReadEnum(const FTypePlan& Plan, void* Address, spear::Decoder
         bool bFound = false;
         for (int32 Index = 0; Index < Plan.Enum->NumEnums() && !bFound; ++Index) {
             const std::string Full = ToUtf8(Plan.Enum->GetNameByIndex(Index));
-            const std::size_t Scope = Full.rfind("::");
-            const std::string Short = Scope == std::string::npos ? Full : Full.substr(Scope + 2);
+            const std::string Short = ShortNameOfEntry(Plan.Enum, Index);
             if (EqualsWithoutCase(Text, Full) || EqualsWithoutCase(Text, Short)) {
                 Value = Plan.Enum->GetValueByIndex(Index);
                 bFound = true;
@@ -280,7 +290,9 @@ bool FValueReader::ReadEnum(const FTypePlan& Plan, void* Address, spear::Decoder
             if (!EqualsWithoutCase(Info->name, Expected)) {
                 return FailType(Plan, Type);
             }
-            Value = In.get<int64>();
+            if (!ConvertEnum(Plan, Type, *Info, In.get<int64>(), Value)) {
+                return false;
+            }
         } else if (const spear::CodecError Code = spear::decode_number(In, Type, Value);
             Code == spear::CodecError::out_of_range) {
             return Fail(ErrorCode::OutOfRange, Place() + " is outside the range of " + Expected, Expected);
@@ -295,6 +307,77 @@ bool FValueReader::ReadEnum(const FTypePlan& Plan, void* Address, spear::Decoder
     }
     Underlying->SetIntPropertyValue(Address, Value);
     return true;
+}
+
+bool FValueReader::ConvertEnum(
+    const FTypePlan& Plan, spear::TypeId Type, const spear::TypeInfo& Info, int64 From, int64& To) {
+    FEnumConversions& Conversions = Operation.Session->EnumConversions;
+    const uint64 Key = (static_cast<uint64>(Type) << 32) | Plan.Index;
+    auto At = Conversions.find(Key);
+    if (At == Conversions.end()) {
+        At = Conversions.emplace(Key, FEnumConversion()).first;
+        bool bSame = true;
+        for (const spear::EnumEntry& Entry : Info.entries) {
+            FEnumConversion::FEntry& Added = At->second.Entries.emplace_back();
+            Added.Name = Entry.name;
+            Added.From = Entry.value;
+            for (int32 Index = 0; Index < Plan.Enum->NumEnums() && !Added.bKnown; ++Index) {
+                if (EqualsWithoutCase(Entry.name, ShortNameOfEntry(Plan.Enum, Index))) {
+                    Added.To = Plan.Enum->GetValueByIndex(Index);
+                    Added.bKnown = true;
+                }
+            }
+            bSame = bSame && Added.bKnown && Added.From == Added.To;
+        }
+        if (bSame) {
+            At->second.Entries.clear();
+        }
+    }
+    const std::vector<FEnumConversion::FEntry>& Entries = At->second.Entries;
+    To = From;
+    if (Entries.empty()) {
+        return true;
+    }
+    const std::string Expected = ToUtf8(Plan.Enum->GetName());
+    const FEnumConversion::FEntry* Unknown = nullptr;
+    for (const FEnumConversion::FEntry& Entry : Entries) {
+        if (Entry.From == From && Entry.bKnown) {
+            To = Entry.To;
+            return true;
+        }
+        Unknown = Entry.From == From && !Unknown ? &Entry : Unknown;
+    }
+    if (Plan.Enum->HasAnyEnumFlags(EEnumFlags::Flags) && !Unknown) {
+        To = 0;
+        int64 Left = From;
+        for (const FEnumConversion::FEntry& Entry : Entries) {
+            const bool bOneBit = Entry.From != 0 && (static_cast<uint64>(Entry.From) & (static_cast<uint64>(Entry.From) - 1)) == 0;
+            if (bOneBit && (Left & Entry.From) != 0) {
+                if (!Entry.bKnown) {
+                    Unknown = &Entry;
+                    break;
+                }
+                To |= Entry.To;
+                Left &= ~Entry.From;
+            }
+        }
+        if (!Unknown && Left == 0) {
+            return true;
+        }
+    }
+    if (Unknown) {
+        FNearestNames Nearest(Unknown->Name);
+        for (int32 Index = 0; Index < Plan.Enum->NumEnums(); ++Index) {
+            Nearest.Add(ShortNameOfEntry(Plan.Enum, Index));
+        }
+        return Fail(ErrorCode::OutOfRange,
+            Place() + ": this engine's " + Expected + " has no entry '" + Unknown->Name + "'" + Nearest.Suggestion(),
+            Expected);
+    }
+    return Fail(ErrorCode::OutOfRange,
+        Place() + ": the sender's " + Expected + " has other numbers than this engine's, and " + std::to_string(From) +
+            " is none of its entries",
+        Expected);
 }
 
 // References

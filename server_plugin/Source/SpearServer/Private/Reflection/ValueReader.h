@@ -45,6 +45,18 @@ struct FStructConversion {
     bool bDirect = false;
     std::string UnknownField; ///< not empty: the wire type does not fit
 };
+/// How the numbers of an announced enum become the engine's: by the names of the entries, as the sender's may be of another version.
+struct FEnumConversion {
+    struct FEntry {
+        std::string Name;
+        int64 From = 0;
+        int64 To = 0;
+        bool bKnown = false; ///< the engine has an entry of that name
+    };
+    std::vector<FEntry> Entries; ///< empty if all numbers mean the same on both sides
+};
+using FEnumConversions = std::unordered_map<uint64, FEnumConversion>;
+
 using FStructConversions = std::unordered_map<uint64, std::unique_ptr<FStructConversion>>;
 
 class FValueReader {
@@ -64,6 +76,8 @@ private:
     bool ReadScalar(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
     bool ReadNumber(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
     bool ReadEnum(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
+    /// The engine's number for one of an announced enum.
+    bool ConvertEnum(const FTypePlan& Plan, spear::TypeId Type, const spear::TypeInfo& Info, int64 From, int64& To);
     bool ReadObject(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
     bool ReadSoftObject(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
     bool ReadInterface(const FTypePlan& Plan, void* Address, spear::Decoder& In, spear::TypeId Type);
