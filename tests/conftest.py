@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -41,3 +42,21 @@ def instance() -> Iterator["spear.Instance"]:  # noqa: F821
 @pytest.fixture
 def game(instance: "spear.Instance") -> "spear.Game":  # noqa: F821
     return instance.get_game()
+
+
+@pytest.fixture(scope="session")
+def scale_code_base(build_directory: Path) -> Path:
+    """The headers of a synthetic code base as large as the real engine (tests/scale), written anew."""
+    folder = build_directory / "scale" / "code_base"
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    subprocess.run([sys.executable, str(ROOT / "tests" / "scale" / "make_code_base.py"), "-o", str(folder)], check=True, capture_output=True)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def scale_schema(scale_code_base: Path, build_directory: Path) -> Path:
+    """Its schema, dumped once for all tests that begin there."""
+    schema = build_directory / "scale" / "schema.json"
+    program = build_directory / "bin" / "spear-header-tool"
+    subprocess.run([str(program), "dump", "--quiet", "--no-cache", "--module", str(scale_code_base / "Source"), "--output", str(schema)], check=True, capture_output=True)
+    return schema

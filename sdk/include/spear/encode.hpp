@@ -83,7 +83,7 @@ struct TypeInfo {
     std::string path{};               ///< structure, enumeration, object_class: the object path ("/Script/Engine.Actor"), may be empty;
                                       ///< call_shape: if the name stands for an alias (aliases.hpp), what was written: tried first
     TypeId element = types::null;     ///< array, set: element; map: value; object_class: the announced super class (0 at UObject)
-    TypeId key = types::null;         ///< map
+    TypeId key = types::null;         ///< map: the keys; enumeration: u64 if the entries are bits that values combine, else null
     std::vector<FieldInfo> fields{};  ///< structure; call_shape: the arguments in the order sent, a positional one has an empty name
     std::vector<EnumEntry> entries{}; ///< enumeration
     std::uint32_t weight = 1;         ///< values inside one value of the type, counted by the table (not sent)

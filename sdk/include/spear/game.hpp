@@ -25,6 +25,11 @@
 
 namespace spear {
 
+template <typename T>
+class ClassOf; // proxy.hpp
+template <typename T>
+class SubclassOf; // proxy_types.hpp
+
 template <CallMode mode>
 class BasicGame {
 public:
@@ -50,9 +55,20 @@ public:
 
     /// A loaded class by name ("AActor", "Actor") or path. Raises UnknownClass (with the nearest names), AmbiguousName.
     Result<Class> get_class(std::string_view name) const { return as<Class>(unreal_service::find_class, name); }
+    /// The class of a generated proxy, with its static functions:
+    /// `game.get_class<unreal::UGameplayStatics>().SetGamePaused(true)`.
+    template <std::derived_from<AnyObject> T>
+    Result<ClassOf<T>> get_class() const {
+        return as<ClassOf<T>>(unreal_service::find_class, T::unreal_name);
+    }
     /// Loads a class by path, also from content: "/Game/X/BP_Y.BP_Y_C". Raises UnknownClass, WrongType.
     Result<Class> load_class(std::string_view path, const ClassReference& base = {}) const {
         return as<Class>(unreal_service::load_class, base, path);
+    }
+    /// The same for a class that is, or derives from, that of a proxy.
+    template <std::derived_from<AnyObject> T>
+    Result<SubclassOf<T>> load_class(std::string_view path) const {
+        return as<SubclassOf<T>>(unreal_service::load_class, class_of<T>(), path);
     }
     /// Finds or loads an asset or other object by path. Raises UnknownObject, WrongType.
     template <std::derived_from<AnyObject> T = Object>
@@ -83,6 +99,10 @@ public:
     Result<Object> new_object(
         const ClassReference& object_class, const ObjectReference& outer = nullptr, std::string_view name = "") const {
         return as<Object>(unreal_service::new_object, object_class, outer, name);
+    }
+    template <std::derived_from<AnyObject> T>
+    Result<T> new_object(const ObjectReference& outer = nullptr, std::string_view name = "") const {
+        return as<T>(unreal_service::new_object, class_of<T>(), outer, name);
     }
     Result<void> release_object(const ObjectReference& object) const {
         return session_->perform<mode>(unreal_service::release_object, object);

@@ -45,6 +45,9 @@ public:
     Property key(std::string_view key) const;
     const std::string& path() const noexcept { return path_; }
 
+    /// The session of its object. Raises NullObject, Disconnected.
+    const std::shared_ptr<Session>& require_session() const;
+
     /// Reads it. Raises UnknownProperty, NullObject (on the way), OutOfRange (index), StaleObject, WrongType (it is no
     /// T).
     template <typename T = Value>
@@ -86,27 +89,15 @@ public:
         return detail::perform<mode, void>(operation, session);
     }
 
+    /// Writes object and path as the first two arguments of an operation on it.
+    void put_owner(OperationBuilder& operation) const;
+
 private:
     Property extended(std::string_view before, std::string_view text, std::string_view after) const;
-    const std::shared_ptr<Session>& require_session() const;
-    void put_owner(OperationBuilder& operation) const;
 
     OperationHandle owner_future_; // one of the two
     ObjectHandle owner_;
     std::string path_;
-};
-
-/// A property path whose type is known at compile time: what generated proxies give.
-template <typename T>
-class TypedProperty : public Property {
-public:
-    explicit TypedProperty(Property property) : Property(std::move(property)) {}
-    T get() const { return Property::get<T>(); }
-    Future<T> async_get() const { return Property::async_get<T>(); }
-    void set(const T& value) const { Property::set(value); }
-    void set(const Future<T>& value) const { Property::set(value); }
-    Future<void> async_set(const T& value) const { return Property::async_set(value); }
-    void send_set(const T& value) const { Property::send_set(value); }
 };
 
 namespace detail {
@@ -166,7 +157,8 @@ public:
     using ObjectOperations<Object>::operator[];
     Object() = default;
     Object(std::nullptr_t) {}
-    explicit Object(ObjectHandle handle) : ObjectHandle(std::move(handle)) {}
+    explicit Object(const ObjectHandle& handle) : ObjectHandle(handle) {}
+    explicit Object(ObjectHandle&& handle) noexcept : ObjectHandle(std::move(handle)) {}
     Object(std::shared_ptr<Session> session, ObjectRef ref) : ObjectHandle(std::move(session), ref) {}
 
     // Entry points about objects (they run at the next chance, in or out of a block).
@@ -203,7 +195,8 @@ class Class : public Object {
 public:
     static constexpr std::string_view unreal_name = "UClass";
     Class() = default;
-    explicit Class(ObjectHandle handle) : Object(std::move(handle)) {}
+    explicit Class(const ObjectHandle& handle) : Object(handle) {}
+    explicit Class(ObjectHandle&& handle) noexcept : Object(std::move(handle)) {}
 
     /// The class default object.
     Object default_object() const;

@@ -40,8 +40,8 @@ struct FQuat {
 };
 
 struct FTransform {
-    FQuat Rotation;
-    FVector Translation;
+    FQuat Rotation{};
+    FVector Translation{};
     FVector Scale3D{1, 1, 1};
     friend bool operator==(const FTransform&, const FTransform&) = default;
 };

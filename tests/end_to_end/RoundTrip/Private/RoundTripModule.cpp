@@ -24,6 +24,12 @@ bool URoundTripCalls::Split(const FString& Text, FString& Left, FString& Right) 
     return Text.Split(TEXT("|"), &Left, &Right);
 }
 
+bool URoundTripCalls::Pair(AActor* First, AActor* Second, AActor*& OutFirst, AActor*& OutSecond) {
+    OutFirst = First;
+    OutSecond = Second;
+    return First && Second;
+}
+
 FString URoundTripCalls::WorldName(const UObject* WorldContextObject) {
     const UWorld* World = WorldContextObject ? WorldContextObject->GetWorld() : nullptr;
     return World ? World->GetName() : FString();

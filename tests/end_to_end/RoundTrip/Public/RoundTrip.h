@@ -54,6 +54,8 @@ public:
     UPROPERTY(EditAnywhere)
     TEnumAsByte<ERoundTripLegacy> ByteEnumValue = RTL_First;
     UPROPERTY(EditAnywhere)
+    ERoundTripBits BitsValue = ERoundTripBits::None;
+    UPROPERTY(EditAnywhere)
     TObjectPtr<UObject> ObjectValue;
     UPROPERTY(EditAnywhere)
     TObjectPtr<AActor> ActorValue;
@@ -187,6 +189,11 @@ public:
     TEnumAsByte<ERoundTripLegacy> EchoByteEnum(TEnumAsByte<ERoundTripLegacy> Value) { return Value; }
     UFUNCTION()
     void CopyByteEnum(TEnumAsByte<ERoundTripLegacy> Value, TEnumAsByte<ERoundTripLegacy>& Result) { Result = Value; }
+
+    UFUNCTION()
+    ERoundTripBits EchoBits(ERoundTripBits Value) { return Value; }
+    UFUNCTION()
+    void CopyBits(ERoundTripBits Value, ERoundTripBits& Result) { Result = Value; }
 
     UFUNCTION()
     UObject* EchoObject(UObject* Value) { return Value; }

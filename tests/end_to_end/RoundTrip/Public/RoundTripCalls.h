@@ -48,6 +48,18 @@ public:
     static void CollectNow();
     UFUNCTION()
     TArray<uint8> Bytes(int64 Count);
+    /** Names that mean something else in Python: of the function and of its parameters. */
+    UFUNCTION()
+    int32 async(int32 is, int32 lambda) { return is - lambda; }
+    /** A name that clients have a function of their own for. */
+    UFUNCTION()
+    FString call() { return TEXT("called"); }
+    /** The same as a variable. */
+    UPROPERTY()
+    int32 get = 17;
+    /** Two actors as they are given; a null one is no error here. */
+    UFUNCTION()
+    bool Pair(AActor* First, AActor* Second, AActor*& OutFirst, AActor*& OutSecond);
 
     /** Kept within 0 and 10 by its setter. */
     UPROPERTY(EditAnywhere, Getter, Setter)

@@ -17,6 +17,14 @@ enum class ERoundTripMode : uint8 {
     Reckless = 7,
 };
 
+UENUM(Flags)
+enum class ERoundTripBits : uint8 {
+    None = 0,
+    Left = 1,
+    Right = 2,
+    Up = 4,
+};
+
 UENUM()
 enum ERoundTripLegacy {
     RTL_First,

@@ -1,0 +1,68 @@
+# generated, do not edit (Engine: Public/GameFramework/FloatingPawnMovement.h)
+from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from ._PawnMovementComponent import UPawnMovementComponent, UPawnMovementComponent_async, UPawnMovementComponent_members, UPawnMovementComponent_send
+
+class UFloatingPawnMovement_members(UPawnMovementComponent_members):
+    """Functions and variables of UFloatingPawnMovement."""
+    MaxSpeed: Property[Path[float], float | Future[float]]
+    """Maximum velocity magnitude allowed for the controlled Pawn, in centimetres per second.
+
+    Unreal: UFloatingPawnMovement.MaxSpeed (float)
+    """
+    Acceleration: Property[Path[float], float | Future[float]]
+    """Acceleration applied by input (rate of change of velocity), in centimetres per second squared.
+
+    Unreal: UFloatingPawnMovement.Acceleration (float)
+    """
+    Deceleration: Property[Path[float], float | Future[float]]
+    """Deceleration applied when there is no input (rate of change of velocity), in centimetres per second squared.
+
+    Unreal: UFloatingPawnMovement.Deceleration (float)
+    """
+    TurningBoost: Property[Path[float], float | Future[float]]
+    """Setting affecting extra force applied when changing direction, making turns have less drift and become more
+    responsive.
+
+    at least 0
+
+    Unreal: UFloatingPawnMovement.TurningBoost (float)
+    """
+
+class UFloatingPawnMovement_async(UPawnMovementComponent_async):
+    """UFloatingPawnMovement under ``async_``: each function gives a future."""
+    MaxSpeed: Property[AsyncPath[float], float | Future[float]]
+    """Maximum velocity magnitude allowed for the controlled Pawn, in centimetres per second."""
+    Acceleration: Property[AsyncPath[float], float | Future[float]]
+    """Acceleration applied by input (rate of change of velocity), in centimetres per second squared."""
+    Deceleration: Property[AsyncPath[float], float | Future[float]]
+    """Deceleration applied when there is no input (rate of change of velocity), in centimetres per second squared."""
+    TurningBoost: Property[AsyncPath[float], float | Future[float]]
+    """Setting affecting extra force applied when changing direction, making turns have less drift and become more responsive."""
+
+class UFloatingPawnMovement_send(UPawnMovementComponent_send):
+    """UFloatingPawnMovement under ``send_``: no function answers."""
+    MaxSpeed: SendProperty[float | Future[float]]
+    Acceleration: SendProperty[float | Future[float]]
+    Deceleration: SendProperty[float | Future[float]]
+    TurningBoost: SendProperty[float | Future[float]]
+
+class UFloatingPawnMovement(UFloatingPawnMovement_members, UPawnMovementComponent):
+    """FloatingPawnMovement is a movement component that provides simple movement for any Pawn class. Limits on speed
+    and acceleration are provided, while gravity is not implemented.
+
+    https://dev.epicgames.com/documentation/en-us/unreal-engine/API/Runtime/Engine/GameFramework/UFloatingPawnMovement
+
+    Unreal: /Script/Engine.FloatingPawnMovement
+    """
+    @property
+    def async_(self) -> UFloatingPawnMovement_async:
+        """The same functions and variables without waiting: each gives a Future at once."""
+    @property
+    def send_(self) -> UFloatingPawnMovement_send:
+        """The same functions and variables, fire-and-forget."""
+
+class UFloatingPawnMovement_path(ObjectPath[UFloatingPawnMovement, UFloatingPawnMovement_async_path, UFloatingPawnMovement_send], UFloatingPawnMovement_members):
+    """A variable that refers to an object of UFloatingPawnMovement: its path."""
+
+class UFloatingPawnMovement_async_path(AsyncObjectPath[UFloatingPawnMovement], UFloatingPawnMovement_async):
+    """The same under ``async_``."""
