@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import sys
+from importlib import import_module
 from pathlib import Path
 
 if not __package__:
     # Run as a folder: the package is what the folder holds, found from its parent.
     sys.path[0] = str(Path(__file__).resolve().parent.parent)
-    from emit.cli import main
+    package = "emit"
 else:
-    from .cli import main
+    package = __package__
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(import_module(f"{package}.cli").main())

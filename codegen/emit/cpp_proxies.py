@@ -16,6 +16,7 @@ from typing import Any
 import jinja2
 
 from . import documentation as docs
+from .cpp_names import literal
 from .cpp_proxies_types import (
     KNOWN_STRUCTS, CppNames, class_name, entry_names, field_names, is_interface, is_object, member_names, parameter_names, plain_struct, referred,
     result_names, struct_name, takes_braces, underlying_type, unknown, value_type,
@@ -66,10 +67,12 @@ def emit(schemas: SchemaSet, output_dir: Path, *, progress: bool = False, jobs: 
 
 
 def _environment() -> jinja2.Environment:
-    return jinja2.Environment(
+    environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(Path(__file__).resolve().parent / "templates" / "cpp_proxies"),
         undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
     )
+    environment.filters["literal"] = literal
+    return environment
 
 
 def _entities(module: Module, schemas: SchemaSet) -> list[tuple[str, list[Entity]]]:
@@ -144,7 +147,7 @@ class _Writer:
         used: set[tuple[str, str, bool]] = set()
         described: dict[str, Any] = {
             "name": name, "unreal": name if is_interface(entity) else entity["name"], "comment": self._comment(entity), "attributes": "",
-            "functions": [], "statics": [], "properties": [], "results": [], "named": [], "markers": "",
+            "interface": is_interface(entity), "functions": [], "statics": [], "properties": [], "results": [], "named": [], "markers": "",
         }
         function_names = {function["name"] for function in entity["functions"]}
         for function in entity["functions"]:
@@ -214,7 +217,7 @@ class _Writer:
             if interface is None or not is_interface(interface):
                 self.untyped[reference] = self.untyped.get(reference, 0) + 1
                 continue
-            chain = [interface]
+            chain: list[Entity] = [interface]
             while (above := self._super_of(chain[-1])) is not None and is_interface(above):
                 chain.append(above)
             for item in reversed(chain):
@@ -227,7 +230,7 @@ class _Writer:
         names = parameter_names(p.name for p in shape.inputs)
         result = self._result(function, shape, name, owner, described, used)
         last_required = max((i for i, p in enumerate(shape.inputs) if not p.optional), default=-1)
-        templates, parameters, arguments = [], [], ["*this", f'"{function["name"]}"']
+        templates, parameters, arguments = [], [], ["*this", literal(function["name"])]
         for index, parameter in enumerate(shape.inputs):
             own = names[parameter.name]
             type_text = self._type(parameter.type, used, parameter.array_dim)
@@ -238,7 +241,7 @@ class _Writer:
             templates.append(f"spear::{concept}<{type_text}> {own}_T{default}")
             omitted = f" = spear::omitted<{own}_T>" if braces else " = {}"
             parameters.append(f"const {own}_T& {own}{omitted if index > last_required else ''}")
-            arguments.append(f'spear::object_input("{parameter.name}", {own})' if single else f'spear::input<{type_text}>("{parameter.name}", {own})')
+            arguments.append(f"spear::object_input({literal(parameter.name)}, {own})" if single else f"spear::input<{type_text}>({literal(parameter.name)}, {own})")
         optional = [p for p in shape.inputs if p.optional and not p.keyword_only]
         named = ""
         if len(optional) >= NAMED_FROM:

@@ -56,7 +56,7 @@ _NUMBERS = {
     "bool": "bool", "int8": "std::int8_t", "int16": "std::int16_t", "int32": "std::int32_t", "int64": "std::int64_t", "uint8": "std::uint8_t",
     "uint16": "std::uint16_t", "uint32": "std::uint32_t", "uint64": "std::uint64_t", "float": "float", "double": "double",
 }
-_TEXTS = frozenset({"string", "name", "text", "field_path"})
+_TEXTS = frozenset({"string", "utf8_string", "ansi_string", "name", "text", "field_path"})
 _OBJECTS = frozenset({"object", "weak_object", "lazy_object", "interface"})
 _ENUMS = frozenset({"enum", "byte_enum"})
 _ORDERED = frozenset(_NUMBERS) | _TEXTS | _ENUMS | {"soft_object", "soft_class"}

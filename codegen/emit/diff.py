@@ -19,14 +19,14 @@ SINGULAR = {"classes": "class", "structs": "struct", "enums": "enum", "delegates
 
 #: Flags whose appearance or disappearance breaks programs.
 BREAKING_FLAGS_ADDED = {"class": {"Abstract"}, "function": {"Static", "EditorOnly", "NetServer", "NetClient", "NetMulticast", "NetRequest", "NetResponse"}, "property": {"EditorOnly", "ConstParm"},
-                        "enum": {"Flags"}, "parameter": {"ConstParm"}}
-BREAKING_FLAGS_REMOVED = {"function": {"Static", "NetServer", "NetClient", "NetMulticast", "NetRequest", "NetResponse"}, "enum": {"Flags"}, "parameter": {"ConstParm"}}
+                        "enum": {"Flags"}}
+BREAKING_FLAGS_REMOVED = {"function": {"Static", "NetServer", "NetClient", "NetMulticast", "NetRequest", "NetResponse"}, "enum": {"Flags"}}
 #: Metadata that changes how a function is called.
 BREAKING_META = {"Latent", "LatentInfo", "WorldContext", "CustomThunk"}
 #: Metadata that repeats the source tier; compared with that tier only.
-SOURCE_META = {"Comment", "ToolTip", "ShortTooltip", "ModuleRelativePath", "IncludePath", "Name"}
-#: Said by `direction` and the type already.
-DIRECTION_FLAGS = {"OutParm", "ReferenceParm"}
+SOURCE_META = {"Comment", "ToolTip", "ShortTooltip", "ModuleRelativePath", "IncludePath", "Name", "NativeConst", "NativeConstTemplateArg"}
+#: Flags that only repeat what the parameters' directions and types say.
+IMPLIED_FLAGS = {"parameter": {"OutParm", "ReferenceParm", "ConstParm"}, "function": {"HasOutParms", "HasDefaults"}, "delegate": {"HasOutParms", "HasDefaults"}}
 
 OBJECT_KINDS = {"object", "class", "weak_object", "lazy_object", "soft_object", "soft_class", "interface"}
 
@@ -63,7 +63,7 @@ class _Comparison:
         self.old, self.new, self.depth = old, new, depth
 
     def run(self) -> Iterator[Change]:
-        old_modules, new_modules = set(self.old.modules), set(self.new.modules)
+        old_modules, new_modules = {m.name for m in self.old.main_modules}, {m.name for m in self.new.main_modules}
         for name in sorted(old_modules - new_modules):
             yield Change("breaking", "removed", "module", name, name, "", name, None, "is gone")
         for name in sorted(new_modules - old_modules):
@@ -220,7 +220,7 @@ class _Comparison:
         if before != after:
             yield change("breaking", "direction", before, after, f"is {_DIRECTIONS[after]}, it was {_DIRECTIONS[before]}")
         yield from self._types(old, new, change, widening="parameter" if after == "in" else None)
-        yield from self._flags("parameter", old, new, change, {*DIRECTION_FLAGS, *({"ConstParm"} if before != after else ())})
+        yield from self._flags("parameter", old, new, change)
         if self.depth >= 1 and "editor" in old and "editor" in new:
             old_default, new_default = _default(old), _default(new)
             if old_default != new_default:
@@ -272,8 +272,9 @@ class _Comparison:
         special, general = (before["name"], after["name"]) if where == "parameter" else (after["name"], before["name"])
         return general == "UObject" or self.new.is_a(special, general)
 
-    def _flags(self, kind: str, old: Entity, new: Entity, change: Any, without: set[str] | None = None) -> Iterator[Change]:
-        before, after = set(old.get("flags", ())) - (without or set()), set(new.get("flags", ())) - (without or set())
+    def _flags(self, kind: str, old: Entity, new: Entity, change: Any) -> Iterator[Change]:
+        without = IMPLIED_FLAGS.get(kind, set())
+        before, after = set(old.get("flags", ())) - without, set(new.get("flags", ())) - without
         for flag in sorted(after - before):
             yield change("breaking" if flag in BREAKING_FLAGS_ADDED.get(kind, ()) else "compatible", "flag", None, flag, f"is {flag} now")
         for flag in sorted(before - after):

@@ -12,7 +12,10 @@ from typing import Any
 
 Entity = Mapping[str, Any]
 
-_TAG = re.compile(r"[@\\](param|tparam|returns?|retval|result|see|sa|deprecated|note|warning|todo|brief|details|throws?|exception|code|endcode|verbatim|endverbatim)\b[ \t]*")
+_TAG = re.compile(
+    r"[@\\](param|tparam|returns?|retval|result|see|sa|deprecated|note|warning|todo|brief|details|throws?|exception|code|endcode|verbatim|endverbatim)\b"
+    r"[ \t]*"
+)
 #: The white space before a tag that does not begin its line.
 _TAG_WITHIN_LINE = re.compile(r"(?<=[\w.,;:)!?'\"`]) +(?=[@\\](?:param|returns?|see|note|warning|deprecated)\b)")
 _PARAM = re.compile(r"(?:\[(?:in|out|in,\s*out)\]\s*)?(\*?[\w.]+)\s*[:,-]*\s*(.*)", re.DOTALL)
@@ -213,6 +216,8 @@ def _blocks(text: str) -> list[Block]:
 
 
 def _inline(text: str) -> str:
+    if not ("@" in text or "\\" in text or "<" in text):
+        return text
     for pattern, replacement in _INLINE:
         text = pattern.sub(replacement, text)
     return text
@@ -246,7 +251,8 @@ def body_lines(documented: Documentation, width: int = 110) -> list[str]:
             lines += textwrap.wrap(block.text, width, break_long_words=False, break_on_hyphens=False) or [""]
         elif block.kind == "list":
             for item in block.lines:
-                lines += textwrap.wrap(item, width, initial_indent="- ", subsequent_indent="  ", break_long_words=False, break_on_hyphens=False) or ["-"]
+                wrapped = textwrap.wrap(item, width - 2, break_long_words=False, break_on_hyphens=False) or [""]
+                lines += [("  " if number else "- ") + line for number, line in enumerate(wrapped)]
         else:
             lines += ["    " + line for line in block.lines]
     return lines

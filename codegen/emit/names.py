@@ -21,7 +21,8 @@ _ANNOTATION_WORDS = frozenset({"bool", "bytes", "dict", "float", "int", "list", 
 
 #: What objects, paths to variables and their asynchronous twins have themselves. Short and closed.
 OBJECT_MEMBERS = frozenset({
-    "async_", "send_", "call", "get", "set", "get_or_none", "is_valid", "get_class", "get_path_name", "get_component", "get_components", "unreal_name",
+    "async_", "send_", "call", "get", "set", "get_or_none", "is_valid", "get_class", "get_path_name", "get_component", "get_components",
+    "unreal_name",
 })
 
 #: What values of structs have themselves, and paths to structs.
@@ -33,7 +34,7 @@ STRUCT_MEMBERS = frozenset({
 #: What entries of enums have themselves, as integers too.
 ENUM_MEMBERS = frozenset({
     "as_integer_ratio", "bit_count", "bit_length", "conjugate", "denominator", "from_bytes", "imag", "is_integer", "mro", "name", "numerator", "real",
-    "to_bytes", "value",
+    "to_bytes", "unreal_entry", "value",
 })
 
 #: By the place where a name of Unreal stands: the words it may not be there.
@@ -113,7 +114,8 @@ def unreal_name_of(name: str, table: Mapping[str, str] | None = None, scope: str
 class ScopeNames:
     """The Python names of everything in one scope (members of a class, fields of a struct, parameters): distinct ones.
 
-    Names that need no change have the first claim on themselves; then come the others in the order given; a name already taken gets ``_2``, ``_3`` ...
+    Names that need no change have the first claim on themselves; then come the others in the order given; a name already taken gets
+    ``_2``, ``_3`` ...
     """
 
     def __init__(self, unreal_names: Iterable[str], scope: str = "member", taken: Iterable[str] = ()) -> None:

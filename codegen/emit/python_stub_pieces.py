@@ -69,8 +69,11 @@ def interface_name(entity: Entity) -> str:
 class PieceWriter:
     """Writes the types of one header. ``use`` gives the text for a name of another type or helper, and remembers that it is needed."""
 
-    def __init__(self, schemas: SchemaSet, templates: jinja2.Environment, use: Callable[[str, str], str]) -> None:
+    def __init__(
+        self, schemas: SchemaSet, templates: jinja2.Environment, use: Callable[[str, str], str], delegates: Mapping[tuple[str, str], str] | None = None,
+    ) -> None:
         self.schemas = schemas
+        self.delegates = delegates or {}
         self.templates = templates
         self.types = PythonTypes(schemas, use)
         self.use = use
@@ -115,13 +118,14 @@ class PieceWriter:
             self._variable(variable, unreal, names[variable["name"]], body)
 
         pieces: list[Piece] = [Piece(text, [text.partition("(")[0].removeprefix("class ")]) for text in results]
-        for facet, root, said in (("members", "", "Functions and variables of {}."), ("async", "AsyncBase", "{} under ``async_``: each function gives a future."), ("send", "SendBase", "{} under ``send_``: no function answers.")):
+        for facet, root, said in _FACETS:
             bases = [self.use(base, "_" + facet) for base in supers if base != "ObjectBase"] or ([self.use(root, "")] if root else [])
             pieces += self._chained(f"{name}_{facet}", bases, f'    """{said.format(name)}"""', body[facet])
         fact: dict[str, Any] = {"super": entity["super"], "interfaces": list(entity["interfaces"]), "never_null": never_null, "names": names.table()}
         if is_interface:
             super_class = self.use(entity["super"] or "UInterface", "") if entity["super"] != "UObject" else self.use("UInterface", "")
-            pieces.append(Piece(self._render("interface_class", name=python_name(unreal, "type"), base=super_class, interface=name), [python_name(unreal, "type")]))
+            class_name = python_name(unreal, "type")
+            pieces.append(Piece(self._render("interface_class", name=class_name, base=super_class, interface=name), [class_name]))
             self.facts.classes[interface_name(entity)] = {**fact, "super": "UObject" if supers[0] in ("UObject", "ObjectBase") else supers[0]}
             self.facts.classes[unreal] = {"super": entity["super"], "interfaces": [], "never_null": [], "names": {}}
         else:
@@ -232,7 +236,7 @@ class PieceWriter:
         if arguments:
             lines += ["", "Args:", *arguments]
         returned = said.returns
-        results = [f"{output.python_name}: {said.parameter(output.name)}" for output in described.outputs if not output.is_return and said.parameter(output.name)]
+        results = [f"{o.python_name}: {said.parameter(o.name)}" for o in described.outputs if not o.is_return and said.parameter(o.name)]
         if returned or results:
             lines += ["", "Returns:", *[f"    {line}" for line in ([returned] if returned else []) + results]]
         for label, note in said.notes:
@@ -255,12 +259,11 @@ class PieceWriter:
 
     def _variable(self, variable: Entity, owner: str, name: str, body: dict[str, list[str]]) -> None:
         node, dimension = variable["type"], variable["array_dim"]
-        argument = self.types.argument(node, dimension, True)
-        declared = f"    {name}: {self.use('Property', '')}[{self.types.path(node, dimension)}, {argument}]"
+        declared = f"    {name}: {self.types.variable(node, dimension)}"
         body["members"].append("\n".join([declared, *docstring(self._variable_lines(variable, owner), "    ")]))
         short = docstring([documentation(variable).summary], "    ")
-        body["async"].append("\n".join([f"    {name}: {self.use('Property', '')}[{self.types.path(node, dimension, True)}, {argument}]", *short]))
-        body["send"].append(f"    {name}: {self.use('SendProperty', '')}[{argument}]")
+        body["async"].append("\n".join([f"    {name}: {self.types.variable(node, dimension, 'Async')}", *short]))
+        body["send"].append(f"    {name}: {self.types.variable(node, dimension, 'Send')}")
 
     def _variable_lines(self, variable: Entity, owner: str) -> list[str]:
         said = documentation(variable)
@@ -278,7 +281,8 @@ class PieceWriter:
         described = self._delegate_text(variable["type"])
         if described:
             lines += ["", described]
-        return [*lines, "", f"Unreal: {owner}.{variable['name']} ({variable['type']['cpp']}{'[' + str(variable['array_dim']) + ']' if variable['array_dim'] > 1 else ''})"]
+        dimension = f"[{variable['array_dim']}]" if variable["array_dim"] > 1 else ""
+        return [*lines, "", f"Unreal: {owner}.{variable['name']} ({variable['type']['cpp']}{dimension})"]
 
     def _delegate_text(self, node: Entity) -> str:
         if node["kind"] not in ("delegate", "multicast_delegate", "sparse_delegate"):
@@ -300,7 +304,8 @@ class PieceWriter:
         unreal = entity["name"]
         name = python_name(unreal, "type")
         above = entity["super"] if entity["super"] in self.schemas.structs else None
-        inherited = [f for ancestor in reversed(self.schemas.ancestors(unreal)) for f in self.schemas.structs.get(ancestor, {"properties": []})["properties"]]
+        bases = [self.schemas.structs[base] for base in reversed(self.schemas.ancestors(unreal)) if base in self.schemas.structs]
+        inherited = [f for base in bases for f in base["properties"]]
         properties = _distinct(entity["properties"], {f["name"] for f in inherited})
         if len(properties) != len(entity["properties"]):
             self.left_out.append(f"{unreal}: a second field of a name")
@@ -311,17 +316,16 @@ class PieceWriter:
         functional = any(f["unreal"] != f["name"] for f in everything)
         numbers = f" | {self.use('Numbers', '')}" if everything and all(self._is_numbers(f) for f in [*inherited, *properties]) else ""
         text = self._render(
-            "struct", name=name, hand_written=hand_written, base=self.use(above, "") if above else self.use("Struct", ""), fields=fields, all_fields=everything,
+            "struct", name=name, hand_written=hand_written, base=self.use(above or "Struct", ""), fields=fields, all_fields=everything,
             documentation=docstring([*body_lines(documentation(entity)), "", f"Unreal: {entity['path'] or unreal}"], "    "), functional=functional,
             dict_base=self.use(above, "_dict") if above else self.use("TypedDict", ""), numbers=numbers,
         )
         shared = above is not None or bool(self.schemas.derived_structs.get(unreal))
-        property_ = self.use("Property", "") if fields else ""
         paths = self._render(
             "struct_paths", name=name, shared=shared, members_base=f"({self.use(above, '_members')})" if above else "",
             async_members_base=f"({self.use(above, '_async_members')})" if above else "",
-            path_lines=[line for f in fields for line in (f"    {f['name']}: {property_}[{f['path']}, {f['set']}]", *f["documentation"])],
-            async_lines=[f"    {f['name']}: {property_}[{f['async_path']}, {f['set']}]" for f in fields],
+            path_lines=[line for f in fields for line in (f"    {f['name']}: {f['path']}", *f["documentation"])],
+            async_lines=[f"    {f['name']}: {f['async_path']}" for f in fields],
         )
         helpers = ["_path", "_async"] + ["_members", "_async_members"] * shared
         self.facts.structs[unreal] = {"super": entity["super"], "fields": [f["unreal"] for f in everything], "names": names.table()}
@@ -337,8 +341,8 @@ class PieceWriter:
         argument = self.types.argument(node, dimension, True)
         return {
             "unreal": entity["name"], "name": names[entity["name"]], "key": _quoted(entity["name"]), "type": self.types.value(node, dimension),
-            "argument": argument, "argument_text": _quoted(argument), "path": self.types.path(node, dimension), "set": argument,
-            "async_path": self.types.path(node, dimension, True), "documentation": docstring(lines, "    "),
+            "argument": argument, "argument_text": _quoted(argument), "path": self.types.variable(node, dimension),
+            "async_path": self.types.variable(node, dimension, "Async"), "documentation": docstring(lines, "    "),
         }
 
     def _is_numbers(self, entity: Entity) -> bool:
@@ -366,13 +370,21 @@ class PieceWriter:
 
     def delegate(self, entity: Entity) -> list[Piece]:
         """The type of a delegate's value: what is bound to it."""
-        name = python_name(entity["name"], "type")
+        name = self.delegates.get((entity["owner"] or "", entity["name"])) or python_name(entity["name"], "type")
         value = self.use("FScriptDelegate", "")
-        lines = [*body_lines(documentation(entity)), "", f"Called as {self._delegate_signature(entity)}; a value tells what is bound.", "", f"Unreal: {entity['path'] or entity['name']}"]
-        text = "\n".join([f"{name}: {self.use('TypeAlias', '')} = {value if entity['kind'] == 'single' else f'list[{value}]'}", *docstring(lines, "")])
-        self.facts.delegates[entity["name"]] = entity["kind"]
+        said = [f"Called as {self._delegate_signature(entity)}; a value tells what is bound.", "", f"Unreal: {entity['path'] or entity['name']}"]
+        lines = [*body_lines(documentation(entity)), "", *said]
+        kind = value if entity["kind"] == "single" else f"list[{value}]"
+        text = "\n".join([f"{name}: {self.use('TypeAlias', '')} = {kind}", *docstring(lines, "")])
+        self.facts.delegates[name] = entity["kind"]
         return [Piece(text, [name])]
 
+
+#: The classes that hold what a class has: suffix, base of all, documentation.
+_FACETS = (
+    ("members", "", "Functions and variables of {}."), ("async", "AsyncBase", "{} under ``async_``: each function gives a future."),
+    ("send", "SendBase", "{} under ``send_``: no function answers."),
+)
 
 #: The helpers that each template names.
 _USES: Mapping[str, tuple[str, ...]] = {

@@ -17,6 +17,7 @@ from __future__ import annotations
 import json
 import re
 import sys
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -40,8 +41,9 @@ _HELPERS: Mapping[str, tuple[str, str]] = {
     **{name: ("spear.unreal_object", name) for name in ("AsyncBase", "ObjectBase", "SendBase")},
     "Struct": ("spear.structs", "Struct"), "UnrealEnum": ("spear.enums", "UnrealEnum"), "UnrealFlags": ("spear.enums", "UnrealFlags"),
     **{name: ("spear.typing", name) for name in (
-        "ArrayPath", "AsyncArrayPath", "AsyncClassPath", "AsyncMapPath", "AsyncObjectPath", "AsyncPath", "AsyncValuePath", "Buffer", "ClassPath", "Future",
-        "MapPath", "Numbers", "ObjectPath", "Path", "Property", "SendProperty", "SetPath", "StructPath", "ValuePath")},
+        "ArrayPath", "AsyncArrayPath", "AsyncClassPath", "AsyncMapPath", "AsyncObjectPath", "AsyncPath", "AsyncValuePath", "Buffer", "ClassPath",
+        "Future", "MapPath", "Numbers", "ObjectPath", "Path", "Property", "SendProperty", "SetPath", "StructPath", "ValuePath",
+        *(f"{facet}{plain}Property" for facet in ("", "Async", "Send") for plain in ("Bool", "Int", "Float", "Str")))},
 }
 
 #: Helpers that __init__.pyi leaves in their files: nobody names them.
@@ -88,7 +90,8 @@ def emit(schemas: SchemaSet, output_dir: Path, *, progress: bool = False, jobs: 
         "Types of Unreal by their modules: ``from spear.unreal.Engine import AActor``.\n\n"
         f"Modules here: {', '.join(everything.modules)}. ``spear schema stubs`` writes those of your own project.\n"))
     if unknown or left_out:
-        report = {"$comment": "generated, do not edit: what these stubs could not say", "unknown": {n: sorted(u)[:5] for n, u in sorted(unknown.items())}, "left_out": sorted(left_out)}
+        examples = {name: sorted(of)[:5] for name, of in sorted(unknown.items())}
+        report = {"$comment": "generated, do not edit: what these stubs could not say", "unknown": examples, "left_out": sorted(left_out)}
         output.write("report.json", json.dumps(report, indent=1) + "\n")
         if unknown:
             listed = ", ".join(sorted(unknown)[:8]) + (", ..." if len(unknown) > 8 else "")
@@ -117,15 +120,16 @@ def with_intrinsic_types(schemas: SchemaSet) -> SchemaSet:
     made: dict[str, list[Entity]] = {"classes": [], "structs": [], "enums": [], "delegates": []}
     for name, above in classes:
         made["classes"].append({
-            "name": name, "path": f"/Script/CoreUObject.{name[1:]}", "module": "CoreUObject", "super": above or None, "interfaces": [], "functions": [],
-            "properties": [], "flags": [], "editor": {"meta": {"ToolTip": _INTRINSIC_TEXTS.get(name, "")}}, "source": {"header": "Intrinsic.h", "line": 0},
+            "name": name, "path": f"/Script/CoreUObject.{name[1:]}", "module": "CoreUObject", "super": above or None, "interfaces": [],
+            "functions": [], "properties": [], "flags": [], "editor": {"meta": {"ToolTip": _INTRINSIC_TEXTS.get(name, "")}},
+            "source": {"header": "Intrinsic.h", "line": 0},
         })
     if "FScriptDelegate" not in schemas.structs:
         fields = [("Object", {"kind": "object", "name": "UObject", "cpp": "UObject*"}, "The object that is called; None if nothing is bound."),
                   ("FunctionName", {"kind": "name", "cpp": "FName"}, "The function of it.")]
         made["structs"].append({
-            "name": "FScriptDelegate", "path": "", "module": "CoreUObject", "super": None, "flags": [], "source": {"header": "Intrinsic.h", "line": 0},
-            "editor": {"meta": {"ToolTip": "What is bound to a delegate."}},
+            "name": "FScriptDelegate", "path": "", "module": "CoreUObject", "super": None, "flags": [],
+            "source": {"header": "Intrinsic.h", "line": 0}, "editor": {"meta": {"ToolTip": "What is bound to a delegate."}},
             "properties": [{"name": n, "type": t, "array_dim": 1, "flags": [], "editor": {"meta": {"ToolTip": text}}} for n, t, text in fields],
         })
     core = schemas.modules.get("CoreUObject")
@@ -154,10 +158,16 @@ class Files:
         self.schemas = schemas
         #: type (C++ name; interfaces by both names) -> (module, file)
         self.of_type: dict[str, tuple[str, str]] = {}
+        #: (owner or "", delegate) -> its Python name: two classes of a module may each declare a delegate of one name
+        self.delegates: dict[tuple[str, str], str] = {}
         #: (module, header) -> file
         self.of_header: dict[tuple[str, str], str] = {}
         for module in schemas.modules.values():
             used: set[str] = set()
+            names = Counter(entity["name"] for entity in module.entities())
+            for delegate in module.delegates:
+                name, owner = python_name(delegate["name"], "type"), delegate["owner"] or ""
+                self.delegates[owner, delegate["name"]] = f"{owner}_{name}" if owner and names[delegate["name"]] > 1 else name
             for header in module.headers:
                 stem = _stem(header.path, used)
                 self.of_header[module.name, header.path] = stem
@@ -210,7 +220,7 @@ class _HeaderFiles:
         #: type variable -> its definition
         self.variables: dict[str, str] = {}
         self.members = self._member_names()
-        self.defined = {python_name(e["name"], "type") for e in header.entities()}
+        self.defined = {python_name(e["name"], "type") for e in header.entities()} | {files.delegates[d["owner"] or "", d["name"]] for d in header.delegates}
 
     def _member_names(self) -> set[str]:
         """Every name that some class body here defines: inside it, that name means the member."""
@@ -253,7 +263,7 @@ class _HeaderFiles:
     def write(self, output: Output, result: _Result) -> None:
         """Writes the files and adds to the result."""
         header = self.header
-        writer = PieceWriter(self.schemas, self.templates, self.use)
+        writer = PieceWriter(self.schemas, self.templates, self.use, self.files.delegates)
         pieces: list[Piece] = []
         for kind, render in (("enums", writer.enum), ("structs", writer.struct), ("delegates", writer.delegate), ("classes", writer.reflected_class)):
             for entity in getattr(header, kind):
@@ -295,9 +305,15 @@ class _HeaderFiles:
                 by_source.setdefault(source, []).append((original, local))
             elif local != original:
                 aliases.append(local + " = " + original)
+        for name in words & owner.keys() if parts > 1 else ():
+            # What the types of one header name among themselves.
+            source = f".{self.stem}_{owner[name] + 1}_of_{parts}"
+            if owner[name] != number and name not in self.members and (name, name) not in by_source.get(source, ()):
+                by_source.setdefault(source, []).append((name, name))
         imports = [line for source in sorted(by_source, key=_import_order) for line in _import_lines(source, sorted(by_source[source]))]
         rendered: str = self.templates.get_template("file.pyi.j2").render(
-            origin=origin, pragmas=_PRAGMAS if conflicts else [], imports=imports, aliases=sorted(aliases) + variables, pieces=[piece.text for piece in part])
+            origin=origin, pragmas=_PRAGMAS if conflicts else [], imports=imports, aliases=sorted(aliases) + variables,
+            pieces=[piece.text for piece in part])
         return rendered
 
 
@@ -343,7 +359,10 @@ def _write(output: Output, path: str, template: str, **values: Any) -> None:
 
 
 def _write_module(output: Output, module: str, exports: Mapping[str, list[str]], facts: Facts) -> None:
-    lines = [line for stem in sorted(exports) if exports[stem] for line in _import_lines(f".{stem}", [(n, n) for n in sorted(exports[stem])], export=True)]
+    lines: list[str] = []
+    for stem in sorted(exports):
+        if exports[stem]:
+            lines += _import_lines(f".{stem}", [(name, name) for name in sorted(exports[stem])], export=True)
     parts: list[list[str]] = [[]]
     size = 0
     for line in lines:
@@ -357,7 +376,8 @@ def _write_module(output: Output, module: str, exports: Mapping[str, list[str]],
     if len(parts) > 1:
         imports = []
         for number, part in enumerate(parts, 1):
-            _write(output, f"{module}/_exports_{number}.pyi", "package", origin=module, documentation=f"Names of {module}, part {number}.", imports=part)
+            said = f"Names of {module}, part {number}."
+            _write(output, f"{module}/_exports_{number}.pyi", "package", origin=module, documentation=said, imports=part)
             imports.append(f"from ._exports_{number} import *")
     _write(output, f"{module}/__init__.pyi", "package", origin=module, documentation=f"Types of Unreal's module {module}.", imports=imports)
     document = {

@@ -16,7 +16,7 @@ from .signatures import INTEGER_KINDS, NUMBER_KINDS, OBJECT_KINDS, Signature
 
 Node = Mapping[str, Any]
 
-_TEXTS = frozenset({"string", "name", "text", "field_path"})
+_TEXTS = frozenset({"string", "utf8_string", "ansi_string", "name", "text", "field_path"})
 _MULTICAST = frozenset({"multicast_delegate", "sparse_delegate"})
 _POINTERS = frozenset({"object", "weak_object", "lazy_object"})
 
@@ -184,6 +184,18 @@ class PythonTypes:
             return f"{self._helper('AsyncArrayPath')}[{value}, {argument}, {twin}]"
         return f"{self._helper('ArrayPath')}[{value}, {argument}, {self.path(element)}, {twin}]"
 
+    def variable(self, node: Node, array_dim: int = 1, facet: str = "") -> str:
+        """The descriptor of a variable: of a class or struct (""), under ``async_`` ("Async") or under ``send_`` ("Send")."""
+        kind = node["kind"]
+        if array_dim == 1:
+            plain = "Int" if kind in INTEGER_KINDS else "Float" if kind in NUMBER_KINDS else "Str" if kind in _TEXTS else "Bool" if kind == "bool" else ""
+            if plain:
+                return self._helper(f"{facet}{plain}Property")
+        argument = self.argument(node, array_dim, True)
+        if facet == "Send":
+            return f"{self._helper('SendProperty')}[{argument}]"
+        return f"{self._helper('Property')}[{self.path(node, array_dim, facet == 'Async')}, {argument}]"
+
     # Functions ----------------------------------------------------------------------------------------------------------
 
     def result(self, signature: Signature, owner: str) -> str:
@@ -217,7 +229,8 @@ class PythonTypes:
     def _default(self, text: str | None, node: Node) -> str:
         """The default as a stub states it: itself where it is short and plain, else an ellipsis."""
         kind = node["kind"]
-        if text is None or kind not in NUMBER_KINDS | _TEXTS | OBJECT_KINDS | {"bool", "enum", "byte_enum", "soft_object", "soft_class"} or "float(" in text:
+        plain = NUMBER_KINDS | _TEXTS | OBJECT_KINDS | {"bool", "enum", "byte_enum", "soft_object", "soft_class"}
+        if text is None or kind not in plain or "float(" in text:
             return "..."
         if kind in ("enum", "byte_enum"):
             return self.use(node["name"], "") + "." + text.partition(".")[2]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cache
 from html import escape
 from typing import Any
 
@@ -64,6 +65,17 @@ _CLASS_BADGES = {
 }
 
 
+@cache
+def _badge_html(badge: Badge) -> str:
+    kind, text, hint = badge
+    title = f' title="{escape(hint)}"' if hint else ""
+    return f'<span class="badge{" " if kind else ""}{kind}"{title}>{escape(text)}</span>'
+
+
+def _badges_html(badges: list[Badge]) -> Markup:
+    return Markup("".join(map(_badge_html, badges)))
+
+
 @dataclass
 class Row:
     """A parameter or result in a table."""
@@ -82,7 +94,7 @@ class Member:
 
     name: str
     anchor: str
-    badges: list[Badge]
+    badges: Markup
     source: str
     doc: Markup
     spelling: Spelling
@@ -107,7 +119,7 @@ class Entry:
     value: int
     #: (language, spelling) where it is not the name itself
     spelled: list[tuple[str, str]]
-    badges: list[Badge]
+    badges: Markup
     doc: Markup
 
 
@@ -134,7 +146,7 @@ class Section:
 class Head:
     """What stands above the members."""
 
-    badges: list[Badge]
+    badges: Markup
     doc: Markup
     facts: list[tuple[str, Markup]]
     deprecated: str = ""
@@ -163,7 +175,7 @@ class Pages:
         """The page of a type."""
         entity, directory = page.entity, page.directory
         documented = documentation(entity)
-        head = Head(self._type_badges(page), Markup(self.site.comment(documented, directory)), self._type_facts(page),
+        head = Head(_badges_html(self._type_badges(page)), Markup(self.site.comment(documented, directory)), self._type_facts(page),
                     str(entity.get("source", {}).get("deprecated") or deprecated_text(entity)))
         summaries = [documented.summary]
         values: dict[str, Any] = {"kind": page.kind, "type": head, "heading": page.title, "description": documented.summary, "functions": [], "properties": [],
@@ -231,9 +243,10 @@ class Pages:
         if page.kind == "delegate" and entity["owner"]:
             facts.append(("Declared in", Markup(site.link(entity["owner"], directory))))
         if page.kind == "delegate":
-            sparse = entity.get("source", {}).get("sparse")
-            if sparse:
-                facts.append(("Property", Markup(f"{site.link(sparse['owner'], directory)}::{escape(sparse['property'])}")))
+            variables = [f'{site.link(owner, directory)}.<a href="{site.url(where, directory)}#{anchor}">{escape(variable)}</a>'
+                         for owner, variable, where, anchor in site.delegate_variables.get((entity["owner"] or "", name), ())]
+            if variables:
+                facts.append(("Variables", Markup(", ".join(variables))))
         if page.kind == "enum" and entity.get("source", {}).get("underlying"):
             facts.append(("Underlying type", Markup(f"<code>{escape(entity['source']['underlying'])}</code>")))
         if entity.get("within", "UObject") != "UObject":
@@ -289,7 +302,7 @@ class Pages:
         if not call.callable:
             badges.append(("warn", "not callable", "has a custom thunk"))
             remarks.append("Works only in compiled Blueprints (custom thunk): calling it from outside is an error.")
-        return Member(function["name"], anchor, badges, self._source(function, page), Markup(self.site.comment(documented, page.directory)),
+        return Member(function["name"], anchor, _badges_html(badges), self._source(function, page), Markup(self.site.comment(documented, page.directory)),
                       self.speller.function(page, function, call), call.deprecated, self._rows(call, documented, page.directory), " ".join(remarks))
 
     def _rows(self, call: Signature, documented: Documentation, directory: str) -> list[Row]:
@@ -334,6 +347,9 @@ class Pages:
             text = source.get("array_text", "")
             kind += f"[{entity['array_dim']}]" if not text or text == str(entity["array_dim"]) else f"[{escape(text)} = {entity['array_dim']}]"
         facts: list[tuple[str, Markup]] = []
+        shown = meta_of(entity).get("DisplayName")
+        if shown:
+            facts.append(("Shown as", Markup(escape(shown))))
         for label, value in (("Default", source.get("default")), ("Set by", source.get("setter") if entity.get("native_setter") else None),
                              ("Read by", source.get("getter") if entity.get("native_getter") else None), ("When replicated", entity.get("rep_notify"))):
             if value:
@@ -341,7 +357,7 @@ class Pages:
         for label, value in (("Units", units_of(entity)), ("Range", range_of(entity))):
             if value:
                 facts.append((label, Markup(escape(str(value)))))
-        return Member(entity["name"], anchor, self._property_badges(flags, bool(source.get("editor_only"))), self._source(entity, page),
+        return Member(entity["name"], anchor, _badges_html(self._property_badges(flags, bool(source.get("editor_only")))), self._source(entity, page),
                       Markup(self.site.comment(documented, page.directory)), self.speller.property(page, entity), deprecated_text(entity), [], "", Markup(kind), facts)
 
     @staticmethod
@@ -364,7 +380,8 @@ class Pages:
         meta = meta_of(entity)
         badges: list[Badge] = [("", "hidden", "not offered in editors")] if "Hidden" in meta else []
         other = [(language, text) for language, text, tail in (("Python", python, f".{name}"), ("C++", cpp, f"::{name}")) if not text.endswith(tail)]
-        return Entry(name, anchor, entity["value"], other, badges, Markup(self.site.comment(documented, page.directory)))
+        doc = self.site.comment(documented, page.directory) or escape(meta.get("DisplayName", ""))
+        return Entry(name, anchor, entity["value"], other, _badges_html(badges), Markup(doc))
 
     # Inherited members -----------------------------------------------------------------------------------------------------
 

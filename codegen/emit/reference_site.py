@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from html import escape
 from typing import Any
 
@@ -131,6 +132,18 @@ class Site:
                     result["property"] += len(page.properties)
                     result["value"] += len(page.entries)
         return result
+
+    @cached_property
+    def delegate_variables(self) -> Mapping[tuple[str, str], list[tuple[str, str, Page, str]]]:
+        """Delegate (owner or "", name) -> the variables of that type: class or struct, variable, page, anchor."""
+        found: dict[tuple[str, str], list[tuple[str, str, Page, str]]] = {}
+        for pages in self.pages.values():
+            for page in pages:
+                for variable, anchor in zip(page.entity.get("properties", ()), page.properties):
+                    node = variable["type"]
+                    if node["kind"].endswith("delegate"):
+                        found.setdefault((node.get("owner") or "", node["name"]), []).append((page.title, variable["name"], page, anchor))
+        return found
 
     # Links ---------------------------------------------------------------------------------------------------------------
 

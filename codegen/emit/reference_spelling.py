@@ -23,16 +23,24 @@ from .signatures import OBJECT_KINDS, Parameter, Signature, meta_value
 
 #: A signature that is longer is broken into one line for each parameter.
 _WIDTH = 62
+#: What is no longer stands beside the language's name, without a line of its own.
+_SHORT = 50
 
 
 @dataclass
 class Spelling:
     """Python and C++, as HTML."""
 
-    python: Markup
-    cpp: Markup
+    python: str
+    cpp: str
     #: one line each
     short: bool = False
+
+    @property
+    def html(self) -> Markup:
+        """Both, side by side."""
+        kind = "spell short" if self.short else "spell"
+        return Markup(f'<div class="{kind}"><pre class="py" data-of="Python">{self.python}</pre><pre class="cpp" data-of="C++">{self.cpp}</pre></div>')
 
 
 class _ReaderTypes(PythonTypes):
@@ -85,8 +93,8 @@ class Speller:
         python_lines = [f"from spear.unreal.{python_name(page.module, 'type')} import {python}"]
         cpp_lines = [f"#include <spear/unreal/{page.module}/{cpp}.hpp>"]
         if page.kind == "class" and any("Static" in function["flags"] for function in entity["functions"]):
-            python_lines.append(f"{python}_class = game.get_class({python})    # has the static functions")
-            cpp_lines.append(f"auto {cpp}_class = game.get_class<unreal::{cpp}>();  // has the static functions")
+            python_lines += ["# static functions:", f"statics = game.get_class({python})"]
+            cpp_lines += ["// static functions:", f"auto statics = game.get_class<unreal::{cpp}>();"]
         elif page.kind == "struct":
             self._name_members(page)
             shown = [field["name"] for field in self._all_fields(entity)[:3]]
@@ -168,7 +176,9 @@ class Speller:
 
     def _python_result(self, call: Signature, tuple_name: str) -> tuple[str, list[str]]:
         """The result, and lines that tell the members of a tuple."""
-        if not call.callable or call.returns == "none":
+        if not call.callable:
+            return "NoReturn", []
+        if call.returns == "none":
             return "None", []
         if call.returns == "single":
             return self.types.value(call.outputs[0].type, call.outputs[0].array_dim, call.outputs[0].nullable), []
@@ -226,30 +236,43 @@ class Speller:
 
     # Example ---------------------------------------------------------------------------------------------------------------
 
-    def example(self, page: Page) -> tuple[Markup, Markup]:
-        """A program that uses a class: its first functions of each sort."""
-        python, cpp = self._type_names(page)
-        made = self.schemas.is_a(page.entity["name"], "AActor") and "Abstract" not in page.entity["flags"]
-        python_lines = ["import spear", f"from spear.unreal.{python_name(page.module, 'type')} import {python}", ""]
-        cpp_lines = ["#include <spear/spear.hpp>", f"#include <spear/unreal/{page.module}/{cpp}.hpp>", "", "namespace unreal = spear::unreal;", ""]
-        python_lines += ["with spear.launch() as instance:", "    game = instance.get_game()", "    with instance.begin_frame():"]
-        cpp_lines += ["spear::Instance instance = spear::launch();", "spear::Game game = instance.game();", "auto frame = instance.begin_frame();"]
-        if made:
-            python_lines.append(f"        thing = game.spawn_actor({python})")
-            cpp_lines.append(f"auto thing = game.spawn_actor<unreal::{cpp}>();")
-        else:
-            python_lines.append(f"        thing = game.get_class({python})")
-            cpp_lines.append(f"auto thing = game.get_class<unreal::{cpp}>();")
-        if "SetActorScale3D" in page.functions:
-            python_lines.append("        thing.SetActorScale3D(NewScale3D={\"X\": 4, \"Y\": 4, \"Z\": 4})")
-            cpp_lines.append("thing.SetActorScale3D({4, 4, 4});")
-        if "K2_GetActorLocation" in page.functions:
-            python_lines += ["        location = thing.async_.K2_GetActorLocation()  # Future[FVector]"]
-            cpp_lines += ["auto location = thing.async().K2_GetActorLocation();  // Future<FVector>"]
-        python_lines += ["    with instance.end_frame():", "        pass"]
-        cpp_lines += ["frame.execute();", "instance.end_frame().execute();"]
-        spelled = _spelling(python_lines, cpp_lines)
-        return spelled.python, spelled.cpp
+    def example(self) -> Spelling:
+        """A program with the engine's own classes; it runs on every engine."""
+        python = """import spear
+from spear.unreal.CoreUObject import FVector
+from spear.unreal.Engine import AStaticMeshActor
+
+with spear.launch() as instance:
+    game = instance.get_game()
+    with instance.begin_frame():
+        thing = game.spawn_actor(AStaticMeshActor)
+        thing.SetActorScale3D(FVector(X=4, Y=4, Z=4))
+        # a Future[FVector]:
+        location = thing.async_.K2_GetActorLocation()
+        hidden = thing.bHidden.get()
+    with instance.end_frame():
+        pass
+    print(location.get(), hidden)"""
+        cpp = """#include <spear/spear.hpp>
+#include <spear/unreal/Engine/AStaticMeshActor.hpp>
+namespace unreal = spear::unreal;
+
+int main() {
+    spear::Instance instance = spear::launch();
+    spear::Game game = instance.game();
+    spear::Future<unreal::FVector> location;
+    {
+        auto frame = instance.begin_frame();
+        auto thing = game.spawn_actor<unreal::AStaticMeshActor>();
+        thing.SetActorScale3D({4, 4, 4});
+        location = thing.async().K2_GetActorLocation();
+        bool hidden = thing.bHidden().get();
+        frame.execute();
+    }
+    instance.end_frame().execute();
+    double x = location.get().X;
+}"""
+        return _spelling([python], [cpp])
 
 
 def _signature(head: str, parameters: list[str], tail: str) -> str:
@@ -261,9 +284,10 @@ def _signature(head: str, parameters: list[str], tail: str) -> str:
 
 
 def _spelling(python: list[str], cpp: list[str], python_async: str = "", cpp_async: str = "") -> Spelling:
-    return Spelling(_code(python, python_async), _code(cpp, cpp_async), not python_async and len(python) == len(cpp) == 1)
+    short = not python_async and all(len(lines) == 1 and len(lines[0]) <= _SHORT and "\n" not in lines[0] for lines in (python, cpp))
+    return Spelling(_code(python, python_async), _code(cpp, cpp_async), short)
 
 
-def _code(lines: list[str], asynchronous: str) -> Markup:
+def _code(lines: list[str], asynchronous: str) -> str:
     text = escape("\n".join(lines), quote=False)
-    return Markup(f"{text}\n<i>{escape(asynchronous, quote=False)}</i>" if asynchronous else text)
+    return f"{text}\n<i>{escape(asynchronous, quote=False)}</i>" if asynchronous else text

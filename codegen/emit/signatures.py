@@ -32,14 +32,15 @@ INTEGER_KINDS = NUMBER_KINDS - {"float", "double"}
 ENUM_KINDS = frozenset({"enum", "byte_enum"})
 
 _NULL_WORDS = re.compile(
-    r"\bnull(?:ptr)?\b|\bNULL\b|\bNone\b|\bif any\b|\bif there is (?:one|any)\b|\bif (?:it )?exists\b|\bif (?:one )?(?:was |is )?found\b|\bnot found\b|"
-    r"\bor none\b|\bno such\b|\bmay be (?:empty|invalid|unset|missing)\b|\bcan be (?:empty|invalid|unset|missing)\b|\bcould not be\b|\bif it fails\b|\bon failure\b",
+    r"\bnull(?:ptr)?\b|\bNone\b|\bif any\b|\bif there is (?:one|any)\b|\bif (?:it )?exists\b|\bif (?:one )?(?:was |is )?found\b|\bnot found\b|"
+    r"\bno such\b|\b(?:may|can) be (?:empty|invalid|unset|missing)\b|\bcould not be\b|\bif it fails\b|\bon failure\b",
     re.IGNORECASE,
 )
 _NULL_NAMES = re.compile(
     r"^(?:K2_)?(?:BP_)?(?:Find|Try|GetOptional)(?:[A-Z_0-9]|$)|(?:IfAny|IfExists|OrNull|IfValid)$|"
     # what is looked up by something, and what need not be there: the owner of an object, what it is attached to
-    r"^(?:K2_)?(?:BP_)?Get\w*By[A-Z]|^(?:K2_)?(?:BP_)?Get\w*(?:Owner|Instigator|Parent|Parent(?:Actor|Component)|Child(?:Actor|Component))$|^(?:K2_)?Get(?:Controller|Pawn)$"
+    r"^(?:K2_)?(?:BP_)?Get\w*By[A-Z]|^(?:K2_)?(?:BP_)?Get\w*(?:Owner|Instigator|Parent|Parent(?:Actor|Component)|Child(?:Actor|Component))$|"
+    r"^(?:K2_)?Get(?:Controller|Pawn)$"
 )
 
 
@@ -128,6 +129,9 @@ def deprecated_text(entity: Entity) -> str:
     """Why something should not be used any more; "" if it may."""
     meta = meta_of(entity)
     text = entity.get("source", {}).get("deprecated") or meta.get("DeprecationMessage") or ""
+    written = re.fullmatch(r'\s*([\w.]+)\s*,\s*(?:TEXT\s*\(\s*)?"((?:[^"\\]|\\.)*)"\s*\)?\s*', text)  # UE_DEPRECATED(5.2, "Call F().")
+    if written:
+        text = f"{written[2]} (since {written[1]})"
     if not text and ("DeprecatedFunction" in meta or "DeprecatedProperty" in meta or "DeprecatedNode" in meta):
         text = "deprecated"
     return str(text)
@@ -256,11 +260,13 @@ def cpp_default(text: str, node: Entity, schemas: SchemaSet) -> str | None:
     if kind in INTEGER_KINDS:
         if text == "-9223372036854775808":
             return "(-9223372036854775807 - 1)"
-        return text + ("u" if kind in ("uint32", "uint64") and text.isdigit() and int(text) > 2**31 - 1 else "") if re.fullmatch(r"-?\d+", text) else None
+        if not re.fullmatch(r"-?\d+", text):
+            return None
+        return text + "u" * (kind in ("uint32", "uint64") and int(text) > 2**31 - 1)
     if kind in ("float", "double"):
         number = _number(text)
         return None if number is None or "float" in number else number + ("f" if kind == "float" else "")
-    if kind in ("string", "name", "text"):
+    if kind in ("string", "utf8_string", "ansi_string", "name", "text"):
         match = re.fullmatch(r'INVTEXT\("((?:[^"\\]|\\.)*)"\)', text) if kind == "text" else None
         return _quoted(match[1] if match else text, '"')
     if kind in OBJECT_KINDS or kind in ("soft_object", "soft_class", "optional", "array", "set", "map"):
@@ -272,7 +278,8 @@ def cpp_default(text: str, node: Entity, schemas: SchemaSet) -> str | None:
         values = _struct_values(text, node, schemas)
         if values is None:
             return None
-        return node["name"] + "{" + ", ".join(f".{field} = {value}" for field, value in values) + "}"
+        designated = ", ".join(f".{field} = {value}" for field, value in values)
+        return f"{node['name']}{{{designated}}}"
     return None
 
 

@@ -210,6 +210,10 @@ std::string comparable(std::string text) {
             }
         if (skipped)
             continue;
+        if (word && text.compare(i, 2, "::") == 0 && (i == 0 || text[i - 1] != '>')) {
+            i += 2;
+            continue;
+        }
         if (text[i] != ' ')
             out += text[i];
         else if (!out.empty() && i + 1 < text.size() && std::isalnum(static_cast<unsigned char>(out.back())) &&

@@ -101,7 +101,7 @@ std::optional<std::string> string_value(const Tokens& t, std::size_t begin, std:
         return out;
     bool call = end - begin >= 3 && t[begin + 1].is("(") && t[end - 1].is(")");
     bool braces = end - begin >= 3 && t[begin + 1].is("{") && t[end - 1].is("}");
-    if (call && t[begin].is("TEXT"))
+    if (call && (t[begin].is("TEXT") || t[begin].is("UTF8TEXT") || t[begin].is("ANSITEXT")))
         return string_value(t, begin + 2, end - 1, type);
     if ((call || braces) && t[begin].is(type))
         return begin + 2 == end - 1 ? std::string() : string_value(t, begin + 2, end - 1, type);
@@ -235,8 +235,8 @@ std::optional<std::string> normalised_default(const std::string& text, const Typ
                        : fmt::format("{:.0f}", *value);
         return fmt::format("{:.6f}", *value);
     }
-    if (kind == "string")
-        return string_value(t, 0, t.size(), "FString");
+    if (kind == "string" || kind == "utf8_string" || kind == "ansi_string")
+        return string_value(t, 0, t.size(), node.cpp);
     if (kind == "name") {
         if ((t.size() == 1 && t[0].is("NAME_None")) || empty_construction(t, node.cpp) ||
             (t.size() == 4 && t[0].is("FName") && t[2].is("NAME_None")))

@@ -124,7 +124,7 @@ Flags parameter_flags(
     const TypeSyntax& type, const TypeNode& node, const Specifiers& specifiers, bool is_return, bool rpc) {
     Flags flags{"Parm", "NativeAccessSpecifierPublic"};
     bool reference = type.reference == Reference::lvalue;
-    bool string = node.kind == "string";
+    bool string = node.kind == "string" || node.kind == "utf8_string" || node.kind == "ansi_string";
     if (is_return) {
         flags.insert("OutParm");
         flags.insert("ReturnParm");

@@ -16,6 +16,8 @@ using TCHAR = char16_t; using ANSICHAR = char; using SIZE_T = unsigned long; usi
 using int8_t = signed char; using int16_t = short; using int32_t = int; using int64_t = long long;
 using uint8_t = unsigned char; using uint16_t = unsigned short; using uint32_t = unsigned int; using uint64_t = unsigned long long;
 using size_t = unsigned long;
+template <auto N, class... A> class TInlineAllocator {}; template <auto N> class TFixedAllocator {};
+template <auto N, class... A> class TNonRelocatableInlineAllocator {};
 #define TEXT(x) u##x
 #define INDEX_NONE (-1)
 #define MAX_int32 2147483647

@@ -5,7 +5,10 @@
 #include "files.h"
 #include "scan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
 
 namespace spear::header_tool {
 
@@ -68,6 +71,36 @@ void join_interfaces(Header& header, Report& report) {
     header.native_interfaces.clear();
 }
 
+// No header a person wrote nests this deep, and parsers (ours, clang's) recurse.
+constexpr int deepest_nesting = 200;
+
+// The offset at which brackets, template arguments or a row of one sign get too deep, if they do.
+std::optional<std::size_t> too_deep(const LexResult& lexed) {
+    int brackets = 0, angles = 0, row = 0;
+    for (std::size_t i = 0; i < end_index(lexed.tokens); ++i) {
+        const Token& t = lexed.tokens[i];
+        if (t.kind != TokenKind::punctuation) {
+            row = 0;
+            continue;
+        }
+        row = i > 0 && lexed.tokens[i - 1].text == t.text ? row + 1 : 0;
+        if (t.is("(") || t.is("[") || t.is("{"))
+            ++brackets;
+        else if (t.is(")") || t.is("]") || t.is("}"))
+            brackets = std::max(0, brackets - 1);
+        else if (t.is("<"))
+            ++angles;
+        else if (t.is(">"))
+            angles = std::max(0, angles - 1);
+        if (t.is(";") || t.is("{") || t.is("}"))
+            angles = 0;
+        bool closing = t.is(")") || t.is("]") || t.is("}") || t.is(">") || t.is(";") || t.is(",");
+        if (brackets > deepest_nesting || angles > deepest_nesting || (row > deepest_nesting && !closing))
+            return t.begin;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 bool mentions_reflection(std::string_view bytes) {
@@ -84,10 +117,14 @@ void read_header(Header& header, std::string bytes, const Defines& defines, Repo
         report.rule("not-text", header.path, 1, header.relative, "is a binary file; it is skipped");
         return;
     }
-    header.source = std::make_unique<SourceText>(SourceText::to_utf8(std::move(bytes)));
-    if (!mentions_reflection(header.source->bytes()))
+    auto source = std::make_unique<SourceText>(SourceText::to_utf8(std::move(bytes)));
+    LexResult whole = lex(*source, {});
+    if (std::optional<std::size_t> place = too_deep(whole)) {
+        report.rule("too-deep", header.path, source->line(*place), header.relative,
+            fmt::format("nests more than {} levels here; the header is skipped", deepest_nesting));
         return;
-    LexResult whole = lex(*header.source, {});
+    }
+    header.source = std::move(source); // the tokens point into its text
     ConditionMap conditions(whole.directives);
     header.skipped = inactive_branches(*header.source, whole.directives, conditions, defines);
     if (!header.skipped.empty())

@@ -15,6 +15,7 @@ namespace spear::header_tool {
 bool mentions_reflection(std::string_view bytes);
 
 // Fills `header` from its bytes; module and paths are already there. What cannot be understood is reported.
+// `header.source` stays null for what is no header at all.
 void read_header(Header& header, std::string bytes, const Defines& defines, Report& report);
 
 } // namespace spear::header_tool

@@ -15,12 +15,13 @@ struct Simple {
     std::string_view written, kind, cpp;
 };
 
-constexpr std::array<Simple, 16> simple_types{
+constexpr std::array<Simple, 18> simple_types{
     {{"bool", "bool", "bool"}, {"int8", "int8", "int8"}, {"int16", "int16", "int16"}, {"int32", "int32", "int32"},
         {"int64", "int64", "int64"}, {"uint8", "uint8", "uint8"}, {"uint16", "uint16", "uint16"},
         {"uint32", "uint32", "uint32"}, {"uint64", "uint64", "uint64"}, {"float", "float", "float"},
         {"double", "double", "double"}, {"FString", "string", "FString"}, {"FName", "name", "FName"},
-        {"FText", "text", "FText"}, {"FReal", "double", "double"}, {"FVector::FReal", "double", "double"}}};
+        {"FText", "text", "FText"}, {"FUtf8String", "utf8_string", "FUtf8String"},
+        {"FAnsiString", "ansi_string", "FAnsiString"}, {"FReal", "double", "double"}, {"FVector::FReal", "double", "double"}}};
 
 // Engine enums that are regular or namespaced and so are reflected as bytes; used only when no schema of the engine is
 // given.
@@ -149,6 +150,8 @@ TypeNode Registry::resolve_name(const std::string& name, const TypeSyntax& type,
         node.cpp = "TScriptInterface<IInterface>";
         return node;
     }
+    if (name.starts_with("FVerse") || name.starts_with("verse::") || name.starts_with("Verse::"))
+        return problem("'" + type.bare() + "' is a type of Verse, which Unreal's own compiler binds");
     std::string last = last_segment(name);
     std::string scope = last.size() == name.size() ? "" : name.substr(0, name.size() - last.size() - 2);
     auto enum_node = [](const TypeInfo& info) {

@@ -16,6 +16,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <thread>
@@ -128,11 +129,12 @@ private:
     // The bytes of a header, or nothing and a report entry.
     std::optional<std::string> bytes_of(const Header& header, Report& report) const {
         try {
-            std::string bytes = read_file(header.path);
-            if (bytes.size() <= largest_header)
-                return bytes;
+            std::error_code error;
+            std::uintmax_t size = std::filesystem::file_size(header.path, error);
+            if (error || size <= largest_header)
+                return read_file(header.path);
             report.rule("too-large", header.path, 1, header.relative,
-                fmt::format("has {} bytes, more than {} are no header; it is skipped", bytes.size(), largest_header));
+                fmt::format("has {} bytes, more than {} are no header; it is skipped", size, largest_header));
         } catch (const std::exception& e) {
             report.rule("unreadable", header.path, 1, header.relative, e.what());
         }

@@ -78,13 +78,17 @@ void BodyScanner::body(Record& r, std::size_t open, std::size_t close, const std
         } else if (call && t.is("UFUNCTION")) {
             Function f;
             f.access = access;
+            std::size_t macro = at;
             if (members_.function(at, f)) {
+                decorate(f, &f.deprecated, macro);
                 r.declares.insert(f.name);
                 r.functions.push_back(std::move(f));
             }
         } else if (call && t.is("UPROPERTY")) {
+            std::size_t macro = at;
             for (Property& p : members_.properties(at)) {
                 p.access = access;
+                decorate(p, nullptr, macro);
                 r.properties.push_back(std::move(p));
             }
         } else if (call && (t.is("UDELEGATE") || is_delegate_macro(t.text))) {
@@ -99,6 +103,15 @@ void BodyScanner::body(Record& r, std::size_t open, std::size_t close, const std
             at = member(r, at, close, access);
         }
     }
+}
+
+void BodyScanner::decorate(Declared& declared, std::string* deprecated, std::size_t at) const {
+    if (decoration_end_ != at || decoration_end_ == 0)
+        return;
+    if (declared.comment.empty())
+        declared.comment = members_.comment_before(decoration_begin_);
+    if (deprecated && deprecated->empty())
+        *deprecated = decoration_deprecated_;
 }
 
 // An unreflected member: noted if it declares a function, else passed by.
@@ -139,6 +152,10 @@ std::size_t BodyScanner::member(Record& r, std::size_t at, std::size_t close, Ac
         if (is_macro_like(t.text) && !after.is(";") && !after.is("const") && !after.is("override") && !after.is("{")) {
             // MACRO(...) in front of a declaration, or alone on its line
             header_.blanks.push_back({t.begin, tokens_[end].end});
+            decoration_begin_ = i;
+            decoration_end_ = end + 1;
+            decoration_deprecated_ =
+                t.text.find("DEPRECATED") != std::string_view::npos ? members_.slice(i + 2, end) : std::string();
             return end + 1;
         }
         if (t.is("alignas") || t.is("decltype") || t.is("__declspec") || t.is("noexcept") || t.is("__attribute__")) {

@@ -25,6 +25,8 @@ public:
     MemberParser& members() { return members_; }
 
 private:
+    // UE_DEPRECATED(...) and its kind directly before the member at `at`: its text and the comment above it count.
+    void decorate(Declared& declared, std::string* deprecated, std::size_t at) const;
     std::size_t member(Record& r, std::size_t at, std::size_t close, Access access);
     std::size_t macro_end(std::size_t begin, std::size_t macro);
     void function_like(Record& r, std::size_t begin, std::size_t name, std::size_t params_end, Access access);
@@ -34,6 +36,8 @@ private:
     MemberParser members_;
     const std::vector<Token>& tokens_;
     const SourceText& source_;
+    std::size_t decoration_begin_ = 0, decoration_end_ = 0; // the last macro call in front of a declaration
+    std::string decoration_deprecated_;
 };
 
 } // namespace spear::header_tool

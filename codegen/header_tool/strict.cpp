@@ -24,6 +24,14 @@ bool has_nested_container(const TypeNode& node) {
         [](const TypeNode& child) { return child.is_container() || has_nested_container(child); });
 }
 
+// An allocator that UHT does not take, as written; "" if there is none.
+std::string foreign_allocator(const TypeSyntax& type) {
+    std::size_t place = type.name == "TMap" ? 2 : type.name == "TArray" || type.name == "TSet" ? 1 : type.args.size();
+    if (place >= type.args.size() || type.args[place].name.find("MemoryImage") != std::string::npos)
+        return {};
+    return type.args[place].text();
+}
+
 class Rules {
 public:
     Rules(const Header& header, const Registry& registry, Report& report)
@@ -196,6 +204,9 @@ private:
         if (has_nested_container(node))
             fail("nested-container", line, subject,
                 node.cpp + ": a container inside a container cannot be reflected (wrap it in a USTRUCT)");
+        if (std::string allocator = foreign_allocator(type); !allocator.empty())
+            fail("container-allocator", line, subject,
+                "'" + allocator + "': a reflected container has the default allocator");
         if (blueprint && !custom && !blueprint_kind(node))
             fail("unsupported-blueprint-type", line, subject, "type " + node.cpp + " is not supported by Blueprints");
     }

@@ -8,16 +8,17 @@
 import argparse
 
 import spear
+from spear.unreal.Engine import ACoordinateAxes, AStaticMeshActor, UGameplayStatics, UProjectileMovementComponent
 
 
 def spawn_axes(instance: spear.Instance, game: spear.Game) -> None:
     """One transaction: spawn, scale, read back, all within one frame."""
     with instance.begin_frame():  # work of this block runs at the beginning of a frame
-        axes = game.spawn_actor("ACoordinateAxes", location=spear.FVector(X=-10, Y=280, Z=50))
+        axes = game.spawn_actor(ACoordinateAxes, location=spear.FVector(X=-10, Y=280, Z=50))
         axes.SetActorScale3D(NewScale3D=spear.FVector(X=4, Y=4, Z=4))
         root = axes.RootComponent.get()
         location = root.async_.K2_GetComponentLocation()  # a future: nothing waits
-        same_location = root.async_.GetComponentLocation()  # the paper's spelling of the same function
+        same_location = root.async_.call("GetComponentLocation")  # by name, here the paper's spelling of the same function
     with instance.end_frame():  # and work of this block at the end of the same frame
         scale = axes.RootComponent.RelativeScale3D.X.get()
     assert location.get() == same_location.get()
@@ -27,14 +28,15 @@ def spawn_axes(instance: spear.Instance, game: spear.Game) -> None:
 
 def throw_ball(instance: spear.Instance, game: spear.Game, steps: int) -> None:
     """A paused world, unpaused for exactly one frame at a time: deterministic, and the engine stays responsive in between."""
-    statics = game.get_class("UGameplayStatics")
+    statics = game.get_class(UGameplayStatics)
     with instance.begin_frame():
         statics.SetGamePaused(bPaused=True)
-        ball = game.spawn_actor("AStaticMeshActor", location=(0, 0, 200))
+        ball = game.spawn_actor(AStaticMeshActor, location=(0, 0, 200))
         ball.StaticMeshComponent.SetMobility(NewMobility="Movable")
-        motion = ball.AddComponentByClass(
-            Class="UProjectileMovementComponent", bManualAttachment=False, RelativeTransform=spear.FTransform(), bDeferredFinish=False
+        added = ball.AddComponentByClass(
+            Class=UProjectileMovementComponent, bManualAttachment=False, RelativeTransform=spear.FTransform(), bDeferredFinish=False
         )
+        motion = spear.cast(UProjectileMovementComponent, added)
         motion.Velocity = spear.FVector(X=300, Y=0, Z=400)  # centimetres per second
     with instance.end_frame():
         pass

@@ -54,6 +54,9 @@ class Session:
     @property
     def session_id(self) -> int: ...
     @property
+    def serial(self) -> int:
+        """A number that no other session of this process has; session_id is the server's."""
+    @property
     def process_id(self) -> int | None: ...
     @property
     def is_open(self) -> bool: ...

@@ -16,7 +16,7 @@ _cache: dict[tuple[int, str], dict[str, Any]] = {}
 
 def describe_class(session: Session, class_name: str) -> dict[str, Any]:
     """The class in the form of the schema (its own functions and properties, ``super``); asked once per session."""
-    key = (session.session_id, class_name)
+    key = (session.serial, class_name)
     if key not in _cache:
         _cache[key] = session.call("unreal_service.describe_class", (class_name,), {}, SYNC)
     return _cache[key]

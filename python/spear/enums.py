@@ -128,6 +128,11 @@ def _unknown(cls: type[_UnrealValue], name: str) -> str:
 
 def enum_class(name: str, module: str = "") -> type[_UnrealValue]:
     """The class of an enum by Unreal's name: always the same one, with the entries that facts tell."""
+    with facts.making:
+        return _enum_class(name, module)
+
+
+def _enum_class(name: str, module: str) -> type[_UnrealValue]:
     made = _classes.get(name)
     if made is None:
         found = facts.find(module, name) if module else None
@@ -187,6 +192,11 @@ def _add(cls: Any, entries: Sequence[tuple[str, int]], names: Mapping[str, str] 
 
 def learn(cls: Any) -> bool:
     """Asks the facts, then connected engines, for entries that the class does not have yet; whether there were any."""
+    with facts.making:
+        return _learn(cls)
+
+
+def _learn(cls: Any) -> bool:
     before = len(cls._member_map_)
     module = cls.__dict__.get("_module_name", "")
     if module:
@@ -203,6 +213,11 @@ def learn(cls: Any) -> bool:
 
 def announced(name: str, path: str, flags: bool, entries: Sequence[tuple[str, int]]) -> tuple[type, dict[int, Any], Callable[[int], Any] | None]:
     """An enum as an engine has it: the class, members by the *engine's* numbers, and for flags what makes the member of a combination."""
+    with facts.making:
+        return _announced(name, path, flags, entries)
+
+
+def _announced(name: str, path: str, flags: bool, entries: Sequence[tuple[str, int]]) -> tuple[type, dict[int, Any], Callable[[int], Any] | None]:
     module = facts.module_of_path(path)
     if name not in _classes and not (module and facts.find(module, name)):
         _make(name, module, flags)

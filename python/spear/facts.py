@@ -8,6 +8,7 @@ this process is connected to.
 
 from __future__ import annotations
 
+import _thread
 import os
 import sys
 import weakref
@@ -20,6 +21,9 @@ from spear.errors import Error
 Entity = dict[str, Any]
 
 _KINDS = ("classes", "structs", "enums")
+
+#: Held while a type is made, so that threads that ask for one at once get the same.
+making = _thread.RLock()
 
 #: Called when facts were forgotten: tables made from them are made anew.
 on_forget: list[Callable[[], None]] = []
@@ -109,14 +113,14 @@ def from_engines(module: str) -> list[ModuleFacts]:
     """The facts of a module as the engines have it that this process is connected to; empty if none has it."""
     found = []
     for instance in list(_instances):
-        try:
-            if not instance.is_running():
-                continue
-            key = (instance._session.session_id, module)
-            if key not in _live:
+        if not instance.is_running():
+            continue
+        key = (instance._session.serial, module)
+        if key not in _live:
+            try:
                 _live[key] = _facts_of_schema(module, instance.address, instance.get_schema([module]))
-        except Error:
-            continue  # it ended, or has no such module: then it knows nothing
+            except Error:
+                _live[key] = None  # it has no such module, or has ended: then it knows nothing
         facts = _live[key]
         if facts is not None:
             found.append(facts)

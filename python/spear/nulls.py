@@ -33,7 +33,8 @@ def null_result(session: Any, target: Any, name: str, is_function: bool, value: 
             what = _null_in(value, output)
             if what is not None:
                 raise NullObject(
-                    f"{owner}::{name} of {_text(target)} returned a null object{what}. Where that may be, object.call({name!r}, ...) gives None instead", f"{owner}::{name}")
+                    f"{owner}::{name} of {_text(target)} returned a null object{what}. Where that may be, object.call({name!r}, ...) gives None instead",
+                    f"{owner}::{name}")
 
 
 def _null_in(value: Any, output: str) -> str | None:

@@ -82,11 +82,17 @@ class Property(_Path): ...
 class SendProperty(_Path): ...
 
 
+BoolProperty = IntProperty = FloatProperty = StrProperty = Property
+AsyncBoolProperty = AsyncIntProperty = AsyncFloatProperty = AsyncStrProperty = Property
+SendBoolProperty = SendIntProperty = SendFloatProperty = SendStrProperty = SendProperty
+
 #: NumPy arrays and the like; nothing at run time.
 Buffer = Any
 Numbers = Any
 
 __all__ = [
-    "ArrayPath", "AsyncArrayPath", "AsyncClassPath", "AsyncMapPath", "AsyncObjectPath", "AsyncPath", "AsyncValuePath", "Buffer", "ClassPath", "Future", "MapPath",
-    "Numbers", "ObjectPath", "Path", "Property", "SendPath", "SendProperty", "SetPath", "StructPath", "ValuePath",
+    "ArrayPath", "AsyncArrayPath", "AsyncBoolProperty", "AsyncClassPath", "AsyncFloatProperty", "AsyncIntProperty", "AsyncMapPath",
+    "AsyncObjectPath", "AsyncPath", "AsyncStrProperty", "AsyncValuePath", "BoolProperty", "Buffer", "ClassPath", "FloatProperty", "Future",
+    "IntProperty", "MapPath", "Numbers", "ObjectPath", "Path", "Property", "SendBoolProperty", "SendFloatProperty", "SendIntProperty",
+    "SendPath", "SendProperty", "SendStrProperty", "SetPath", "StrProperty", "StructPath", "ValuePath",
 ]

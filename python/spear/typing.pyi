@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence, Set
 from typing import Any, Generic, NoReturn, Protocol, TypeAlias, TypeVar, overload
 
 from spear._native import Future as Future
-from spear.unreal_object import ObjectBase
+from spear.unreal_object import ObjectBase, UnrealObject
 
 _T = TypeVar("_T")  # what is read
 _S = TypeVar("_S")  # what may be written
@@ -19,6 +19,7 @@ _E = TypeVar("_E")  # path of an element
 _A = TypeVar("_A")  # asynchronous twin
 _B = TypeVar("_B")  # fire-and-forget twin
 _O = TypeVar("_O", bound=ObjectBase)
+_C = TypeVar("_C", bound=ObjectBase)
 _P_co = TypeVar("_P_co", covariant=True)
 _S_contra = TypeVar("_S_contra", contravariant=True)
 
@@ -141,6 +142,24 @@ class ObjectPath(_NoValue, Generic[_O, _A, _B]):
         """Writes the variable at a path that begins at the object."""
     def get_or_none(self) -> _O | None:
         """Reads the reference; None for null."""
+    def call(self, function: str, /, *args: Any, **kwargs: Any) -> Any:
+        """Calls a function of the object by Unreal's name."""
+    def is_valid(self) -> bool:
+        """Whether the object lives; False for null."""
+    def get_class(self) -> UnrealObject:
+        """The class of the object, an object too."""
+    def get_path_name(self) -> str:
+        """The object's path, its identity in the engine."""
+    @overload
+    def get_component(self, uclass: type[_C], name: str = "") -> _C:
+        """The actor's only component of a class, or the one of that class and name."""
+    @overload
+    def get_component(self, uclass: str | ObjectBase, name: str = "") -> UnrealObject: ...
+    @overload
+    def get_components(self, uclass: type[_C]) -> list[_C]:
+        """The actor's components of a class."""
+    @overload
+    def get_components(self, uclass: str | ObjectBase) -> list[UnrealObject]: ...
     @property
     def async_(self) -> _A:
         """The object's functions and variables, without waiting: futures."""
@@ -200,3 +219,17 @@ class SendProperty(Generic[_S]):
     @overload
     def __get__(self, instance: object, owner: Any, /) -> SendPath[_S]: ...
     def __set__(self, instance: Any, value: _S, /) -> None: ...
+
+# Variables of plain types, by name: stubs have tens of thousands of them, which type checkers then hold once.
+BoolProperty: TypeAlias = Property[Path[bool], bool | Future[bool]]
+IntProperty: TypeAlias = Property[Path[int], int | Future[int]]
+FloatProperty: TypeAlias = Property[Path[float], float | Future[float]]
+StrProperty: TypeAlias = Property[Path[str], str | Future[str]]
+AsyncBoolProperty: TypeAlias = Property[AsyncPath[bool], bool | Future[bool]]
+AsyncIntProperty: TypeAlias = Property[AsyncPath[int], int | Future[int]]
+AsyncFloatProperty: TypeAlias = Property[AsyncPath[float], float | Future[float]]
+AsyncStrProperty: TypeAlias = Property[AsyncPath[str], str | Future[str]]
+SendBoolProperty: TypeAlias = SendProperty[bool | Future[bool]]
+SendIntProperty: TypeAlias = SendProperty[int | Future[int]]
+SendFloatProperty: TypeAlias = SendProperty[float | Future[float]]
+SendStrProperty: TypeAlias = SendProperty[str | Future[str]]

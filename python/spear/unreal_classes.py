@@ -27,8 +27,8 @@ class UnrealClass(type):
 
     def __call__(cls, *args: Any, **kwargs: Any) -> NoReturn:
         raise TypeError(
-            f"{cls.__name__} is a class of the engine, whose objects are made there: game.spawn_actor({cls.__name__}) for actors, game.new_object({cls.__name__}) "
-            f"for other objects; spear.cast({cls.__name__}, object) checks the class of one you have"
+            f"{cls.__name__} is a class of the engine, whose objects are made there: game.spawn_actor({cls.__name__}) for actors, "
+            f"game.new_object({cls.__name__}) for other objects; spear.cast({cls.__name__}, object) checks the class of one you have"
         )
 
     def __instancecheck__(cls, instance: Any) -> bool:
@@ -53,7 +53,7 @@ def is_a(instance: Any, unreal_name: str) -> bool:
         return False
     if any(_facts_say(name, unreal_name) for name in names):
         return True
-    key = (instance._session.session_id, instance._class_name, unreal_name)
+    key = (instance._session.serial, instance._class_name, unreal_name)
     if key not in _implements:
         try:
             answer = instance._session.call("unreal_service.is_a", (instance, unreal_name), {}, _native.SYNC)
@@ -89,6 +89,11 @@ class UnrealType(metaclass=UnrealClass):
 
 def unreal_class(name: str, module: str = "") -> type:
     """The Python class of a class of Unreal: always the same one. It derives as facts tell, else from UObject."""
+    with facts.making:
+        return _unreal_class(name, module)
+
+
+def _unreal_class(name: str, module: str) -> type:
     made = _classes.get(name)
     if made is None:
         found = facts.find(module, name) if module else None

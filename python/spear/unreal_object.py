@@ -127,13 +127,16 @@ class UnrealObject(ObjectBase):
     def __getattr__(self, name: str) -> Member:
         if name in renamed:
             name = unreal_name_of(self, name)
-        elif name.startswith("__"):
+        elif name[:2] == "__":
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         return Member(self, name, SYNC)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name in OBJECT_METHODS:
-            raise AttributeError(f"{name!r} is a member of spear.ObjectBase; a variable of Unreal of that name is object.{name.rstrip('_')}_ here")
+            from spear.codegen.names import python_name
+
+            spelled = python_name(name.rstrip("_"))
+            raise AttributeError(f"{name!r} is a member of spear.ObjectBase; a variable of Unreal of that name is object.{spelled} here")
         self._session.set_property(self, unreal_name_of(self, name) if name in renamed else name, value, SYNC)
 
     def __dir__(self) -> list[str]:
@@ -213,7 +216,7 @@ class AsyncNamespace(AsyncBase):
     def __getattr__(self, name: str) -> Member:
         if name in renamed:
             name = unreal_name_of(self._target, name)
-        elif name.startswith("__"):
+        elif name[:2] == "__":
             raise AttributeError(name)
         return Member(self._target, name, self._mode)
 
@@ -252,7 +255,7 @@ class SendNamespace(SendBase):
     def __getattr__(self, name: str) -> Member:
         if name in renamed:
             name = unreal_name_of(self._target, name)
-        elif name.startswith("__"):
+        elif name[:2] == "__":
             raise AttributeError(name)
         return Member(self._target, name, self._mode)
 
@@ -269,9 +272,9 @@ class Member:
     _mode: int
 
     def __init__(self, target: Any, path: str, mode: int) -> None:
-        _set(self, "_target", target)
-        _set(self, "_path", path)
-        _set(self, "_mode", mode)
+        _set_target(self, target)
+        _set_path(self, path)
+        _set_mode(self, mode)
 
     # As a function ---------------------------------------------------------------------------------------------------
 
@@ -358,7 +361,7 @@ class Member:
     def __getattr__(self, name: str) -> Member:
         if name in renamed:
             name = unreal_name_of(None, name)
-        elif name.startswith("__"):
+        elif name[:2] == "__":
             raise AttributeError(name)
         return Member(self._target, f"{self._path}.{name}", self._mode)
 
@@ -386,6 +389,10 @@ class Member:
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _refuse
     __neg__ = __float__ = __int__ = __index__ = __len__ = __iter__ = __contains__ = _refuse
     __hash__ = None  # type: ignore[assignment]
+
+
+# The slots' own setters: the quickest way round __setattr__, and members are made all the time.
+_set_target, _set_path, _set_mode = (vars(Member)[name].__set__ for name in Member.__slots__)
 
 
 def _key_text(key: int | str) -> str:
@@ -440,7 +447,7 @@ class FutureObject:
     def __getattr__(self, name: str) -> Member:
         if name in renamed:
             name = unreal_name_of(None, name)
-        elif name.startswith("__"):
+        elif name[:2] == "__":
             raise AttributeError(name)
         return Member(self, name, SYNC)
 

@@ -11,16 +11,18 @@ namespace spear::python {
 namespace nb = nanobind;
 
 struct Classes {
-    PyObject* object = nullptr;        ///< spear.UnrealObject
-    PyObject* struct_base = nullptr;   ///< spear.structs.Struct
-    PyObject* struct_class = nullptr;  ///< spear.structs.announced(name, path, field_names) -> (class, attributes)
-    PyObject* enum_class = nullptr;    ///< spear.enums.announced(name, path, flags, entries) -> (class, {number: member}, ...)
-    PyObject* enum_entries = nullptr;  ///< spear.enums.wire_entries(class) -> (name, flags, entries) or None
-    PyObject* result_class = nullptr;  ///< spear.results.result_class(name, fields) -> class
-    PyObject* null_result = nullptr;   ///< spear.nulls.null_result(...): raises where a null object is none of the results
+    PyObject* object = nullptr;       ///< spear.UnrealObject
+    PyObject* struct_base = nullptr;  ///< spear.structs.Struct
+    PyObject* struct_class = nullptr; ///< spear.structs.announced(name, path, field_names) -> (class, attributes)
+    PyObject* enum_class =
+        nullptr; ///< spear.enums.announced(name, path, flags, entries) -> (class, {number: member}, ...)
+    PyObject* enum_entries = nullptr; ///< spear.enums.wire_entries(class) -> (name, flags, entries) or None
+    PyObject* result_class = nullptr; ///< spear.results.result_class(name, fields) -> class
+    PyObject* null_result =
+        nullptr; ///< spear.nulls.null_result(...): raises where a null object is none of the results
     PyObject* parameter_name = nullptr; ///< spear.naming.parameter_name(keyword) -> Unreal's name
-    PyObject* errors = nullptr;        ///< {name: class}
-    PyObject* future_object = nullptr; ///< spear.unreal_object.future_object(future)
+    PyObject* errors = nullptr;         ///< {name: class}
+    PyObject* future_object = nullptr;  ///< spear.unreal_object.future_object(future)
 
     /// Counts the announcements of enums by engines: a class may have got more entries, so that it is announced anew.
     std::uint32_t enums_seen = 0;

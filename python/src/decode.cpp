@@ -107,8 +107,8 @@ nb::object decode_enum(Decoder& in, TypeId type, const TypeInfo& info, nb::handl
     return number; // a number between the entries stays a number
 }
 
-/// Asks whether nulls among the results can be meant: a null object, or some in a tuple of outputs or a container. Those
-/// inside of structs are what they are.
+/// Asks whether nulls among the results can be meant: a null object, or some in a tuple of outputs or a container.
+/// Those inside of structs are what they are.
 void check_nulls(nb::handle value, nb::handle session, const Asked& asked) {
     bool in_question = value.is_none() || PyList_CheckExact(value.ptr()) || PyAnySet_Check(value.ptr());
     if (PyTuple_Check(value.ptr())) {

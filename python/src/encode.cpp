@@ -276,7 +276,8 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         const TypeId type = session.enum_type(Py_TYPE(value));
         if (type == types::null) {
             encode_integer(out, value);
-        } else { // an enum of Unreal: the announcement names the entries, so that other numbers of the engine do no harm
+        } else { // an enum of Unreal: the announcement names the entries, so that other numbers of the engine do no
+                 // harm
             out.put(type);
             out.put(static_cast<std::int64_t>(PyLong_AsLongLong(value)));
             if (PyErr_Occurred()) {

@@ -215,6 +215,7 @@ NB_MODULE(_native, module) {
     nb::class_<PySession>(module, "Session")
         .def_prop_ro("address", [](PySession& self) { return self.session()->address(); })
         .def_prop_ro("session_id", [](PySession& self) { return self.session()->id(); })
+        .def_prop_ro("serial", [](PySession& self) { return self.serial; })
         .def_prop_ro("process_id",
             [](PySession& self) -> std::optional<std::int64_t> {
                 const EngineProcess* process = self.instance().process();

@@ -280,7 +280,8 @@ const StructWriter& PySession::writer_for(PyTypeObject* type) {
         info.fields.push_back({writer.names.back(), types::any});
     }
     if (writer.fields.empty()) {
-        return writers_.emplace(type, std::move(writer)).first->second; // nothing is known of it: values go as dictionaries
+        return writers_.emplace(type, std::move(writer))
+            .first->second; // nothing is known of it: values go as dictionaries
     }
     writer.anything = session_->number_of(info);
     if (field_types.size() == writer.fields.size()) {
@@ -317,7 +318,8 @@ const StructReader& PySession::struct_reader(TypeId type, const TypeInfo& info) 
         reader.fields.push_back(interned);
     }
     if (reader.fields.size() != info.fields.size()) {
-        throw_error(ErrorCode::InternalError, "spear.structs gave a class with other fields than " + info.name + " has.");
+        throw_error(
+            ErrorCode::InternalError, "spear.structs gave a class with other fields than " + info.name + " has.");
     }
     writers_.erase(reinterpret_cast<PyTypeObject*>(python_class.ptr())); // the class may have got more fields
     reader.made = nb::object(python_class).release().ptr();

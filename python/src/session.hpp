@@ -20,7 +20,8 @@
 namespace spear::python {
 namespace nb = nanobind;
 
-/// How an operation is performed. With `raw_mode` added, a null object is always None: nobody is asked whether that may be.
+/// How an operation is performed. With `raw_mode` added, a null object is always None: nobody is asked whether that may
+/// be.
 enum Mode : int { sync_mode = 0, async_mode = 1, send_mode = 2, raw_mode = 4 };
 
 /// How values of a Python struct class are written.
@@ -49,8 +50,8 @@ struct StructReader {
 
 /// What an operation was about, for results that are null.
 struct Asked {
-    nb::object target;        ///< the object, or the future of it; nothing for entry points, and in raw mode
-    nb::object name;          ///< the function, or the path of the variable
+    nb::object target; ///< the object, or the future of it; nothing for entry points, and in raw mode
+    nb::object name;   ///< the function, or the path of the variable
     bool is_function = false;
 };
 
@@ -94,13 +95,19 @@ public:
     TypeId enum_type(PyTypeObject* type);
     nb::object class_names(TypeId class_type);
 
+    /// Of all sessions of this process: unlike the server's number, it never means another one.
+    const std::uint64_t serial = next_serial++;
+
     /// How many null objects were read so far.
     std::uint64_t nulls_read = 0;
 
 private:
-    static nb::object perform(nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked);
+    static nb::object perform(
+        nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked);
     ShapeId function_shape(nb::handle function, std::size_t positional, nb::handle kwargs);
     ShapeId path_shape(nb::handle path);
+
+    static inline std::uint64_t next_serial = 1;
 
     Instance instance_;
     std::shared_ptr<Session> session_;

@@ -32,7 +32,7 @@ def test_outside_project_finds_the_sdk(address: str, build_directory: Path, sour
                  "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror"], env=helpers.bare_environment())
     helpers.run(["cmake", "--build", build], timeout=600, env=helpers.bare_environment())
     result = helpers.run([build / "consumer", address], env=helpers.bare_environment())
-    assert re.fullmatch(r"\S.* with scene apartment\n", result.stdout), result.stdout
+    assert re.fullmatch(r"\S.* with scene apartment\nan actor at X = 1\n", result.stdout), result.stdout
     assert "EngineNotRunning" in helpers.run([build / "consumer"], env=helpers.bare_environment()).stdout
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import subprocess
@@ -16,6 +17,16 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 FIXTURES = Path(__file__).resolve().parent / "fixtures"
+
+
+def compare_with_golden(text: str, golden: Path) -> None:
+    """Fails with a difference; SPEAR_UPDATE_GOLDEN=1 in the environment rewrites the file instead."""
+    if os.environ.get("SPEAR_UPDATE_GOLDEN"):
+        golden.write_text(text)
+    expected = golden.read_text() if golden.exists() else ""
+    if text != expected:
+        difference = "\n".join(list(difflib.unified_diff(expected.splitlines(), text.splitlines(), "golden", "found", lineterm=""))[:80])
+        pytest.fail(f"the output differs from {golden.name} (SPEAR_UPDATE_GOLDEN=1 rewrites it):\n{difference}")
 
 
 def find_tool() -> Path:
@@ -75,7 +86,7 @@ def run_tool(tool: Path, folder: Path, arguments: list[str]) -> Result:
     output, report = folder / "out.schema.json", folder / "out.report.json"
     for old in (output, report):
         old.unlink(missing_ok=True)
-    run = subprocess.run([str(tool), "dump", *arguments, "-o", str(output), "--report", str(report)], capture_output=True, text=True, timeout=120)
+    run = subprocess.run([str(tool), "dump", *arguments, "-o", str(output), "--report", str(report)], capture_output=True, text=True, errors="replace", timeout=120)
     return Result(
         run.returncode,
         run.stderr + run.stdout,

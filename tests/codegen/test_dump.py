@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import difflib
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +11,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from conftest import FIXTURES, ROOT, Dump, Result, run_tool
+from conftest import FIXTURES, ROOT, Dump, Result, compare_with_golden, run_tool
 
 SAMPLE = FIXTURES / "Sample"
 GOLDEN = FIXTURES / "Sample.schema.json"
@@ -40,12 +38,7 @@ def test_golden(sample: Result) -> None:
     schema = json.loads(json.dumps(sample.schema))
     schema["modules"][0]["source"]["path"] = "Sample"
     text = json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=False) + "\n"
-    if os.environ.get("SPEAR_UPDATE_GOLDEN"):
-        GOLDEN.write_text(text)
-    expected = GOLDEN.read_text()
-    if text != expected:
-        difference = "\n".join(list(difflib.unified_diff(expected.splitlines(), text.splitlines(), "golden", "found", lineterm=""))[:80])
-        pytest.fail(f"the dump differs from {GOLDEN.name} (SPEAR_UPDATE_GOLDEN=1 rewrites it):\n{difference}")
+    compare_with_golden(text, GOLDEN)
 
 
 def test_module_and_headers(sample: Result) -> None:

@@ -243,3 +243,30 @@ def test_what_no_file_knows_is_asked_from_the_engine(round_trip: spear.Instance)
     # An enum or struct made before there was an engine has the same class afterwards.
     facts.forget()
     assert module.ERoundTripMode("Fast").name == "Fast"
+
+
+def test_every_name_of_the_stubs_exists_at_run_time() -> None:
+    """What an editor offers after ``from spear.unreal.Engine import`` can be imported, as the kind of thing that the stub says."""
+    import ast
+    import importlib
+
+    folder = Path(spear.unreal.__file__ or "").parent
+    count = 0
+    for stub in sorted(folder.glob("*/__init__.pyi")):
+        module = importlib.import_module(f"spear.unreal.{stub.parent.name}")
+        for node in ast.parse(stub.read_text(encoding="utf-8")).body:
+            for alias in node.names if isinstance(node, ast.ImportFrom) else ():
+                name = alias.asname or alias.name
+                assert getattr(module, name) is getattr(module, name), name
+                count += 1
+        known = facts.from_files(stub.parent.name)
+        assert known is not None
+        for name in known.classes:
+            assert isinstance(getattr(module, name), type) and getattr(module, name).unreal_name.lstrip("IU") == name.lstrip("IU"), name
+        for name, entity in known.structs.items():
+            assert list(getattr(module, name).field_names) == entity["fields"], name
+        for name, entity in known.enums.items():
+            made = getattr(module, name)
+            assert issubclass(made, spear.UnrealFlags if entity["flags"] else spear.UnrealEnum), name
+            assert {made(entry) == value for entry, value in entity["entries"]} == {True}, name
+    assert count > 500

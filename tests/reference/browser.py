@@ -62,6 +62,7 @@ class Browser:
             self._session = self._command("Target.attachToTarget", targetId=page["targetId"], flatten=True)["sessionId"]
             for domain in ("Page", "Runtime", "Log", "Network"):
                 self.command(f"{domain}.enable")
+            self.command("Emulation.setFocusEmulationEnabled", enabled=True)
             self.resize(width, height)
         except BaseException:
             self.close()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from browser import Browser
-from conftest import SchemaMaker
+from schema_maker import SchemaMaker
 from test_site import _NASTY
 
 CTRL = 2
@@ -23,8 +23,7 @@ def _search(page: Browser, query: str) -> list[dict[str, str]]:
     page.press("/")
     page.run("document.activeElement.value = ''")
     page.type(query)
-    page.wait("typeof spearSearch === 'object' && spearSearch.size && !document.getElementById('ui-results').hidden && document.getElementById('result-status').textContent.includes('')")
-    page.wait(f"document.getElementById('ui-search').value === {json.dumps(query)}")
+    page.wait(f"document.getElementById('ui-search').value === {json.dumps(query)} && typeof spearSearch === 'object' && spearSearch.size")
     page.wait("document.querySelectorAll('.result').length || document.getElementById('result-status').textContent.startsWith('Nothing')")
     found: list[dict[str, str]] = page.run(_RESULTS)
     return found

@@ -3,16 +3,20 @@
 
 from __future__ import annotations
 
+import html
 import json
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from conftest import SchemaMaker
 from emit import reference
 from emit.schema import SchemaError, SchemaSet
 from pages import PageFacts, broken_links, read_index, read_page, read_site
+from schema_maker import SchemaMaker
 
 Write = Callable[..., Path]
 
@@ -137,6 +141,18 @@ def test_python_is_spelled_as_in_the_stub(name: str, engine_site: Path, engine_s
     assert wrong == []
 
 
+@pytest.mark.parametrize("name", ["AActor", "USceneComponent", "ULightComponent"])
+def test_variables_are_spelled_as_in_the_stub(name: str, engine_site: Path, engine_schemas: SchemaSet, source_directory: Path) -> None:
+    stubs = source_directory / "generated" / "python" / "spear" / "unreal" / "Engine"
+    stub = next(text for path in sorted(stubs.glob("*.pyi")) if f"class {name}_members" in (text := path.read_text(encoding="utf-8")))
+    page = (engine_site / "Engine" / f"{name}.html").read_text(encoding="utf-8")
+    variables = engine_schemas.classes[name]["properties"]
+    assert len(variables) > 5
+    for variable in variables:
+        spelled = _code(_section(page, variable["name"]), "py").partition(".get()")[0]
+        assert re.search(rf"^    {re.escape(spelled)}: ", stub, re.MULTILINE), spelled
+
+
 @pytest.mark.parametrize("name", ["AActor", "UKismetMathLibrary", "USceneComponent", "UGameplayStatics"])
 def test_cpp_is_spelled_as_in_the_proxy(name: str, engine_site: Path, engine_schemas: SchemaSet, source_directory: Path) -> None:
     proxy = (source_directory / "generated" / "cpp" / "spear" / "unreal" / "Engine" / f"{name}.hpp").read_text(encoding="utf-8")
@@ -153,6 +169,14 @@ def test_cpp_is_spelled_as_in_the_proxy(name: str, engine_site: Path, engine_sch
         if f"spear::PropertyOf<SpearBase, {kind}> {spelled}() const" not in proxy:
             wrong.append(line)
     assert wrong == []
+
+
+def test_the_example_of_the_first_page_runs(engine_site: Path, build_directory: Path, tmp_path: Path) -> None:
+    program = tmp_path / "example.py"
+    program.write_text(html.unescape(_code((engine_site / "index.html").read_text(encoding="utf-8"), "py")))
+    path = os.pathsep.join([str(build_directory / "python"), os.environ.get("PYTHONPATH", "")])
+    run = subprocess.run([sys.executable, str(program)], env={**os.environ, "PYTHONPATH": path}, capture_output=True, text=True)
+    assert (run.returncode, run.stdout.strip()) == (0, "FVector(X=0.0, Y=0.0, Z=0.0) False"), run.stderr
 
 
 # Runs ------------------------------------------------------------------------------------------------------------------------
@@ -189,7 +213,7 @@ def test_pages_of_types_that_are_gone_are_removed_and_foreign_files_stay(maker: 
     assert (folder / "CNAME").read_text() == "example.org"
 
 
-@pytest.mark.parametrize("manifest", [None, "not json", json.dumps({"files": ["Engine/__init__.pyi"]})])
+@pytest.mark.parametrize("manifest", [None, "not json", "[]", json.dumps({"files": 7}), json.dumps({"files": ["Engine/__init__.pyi"]})])
 def test_a_folder_with_something_else_is_refused(maker: SchemaMaker, tmp_path: Path, manifest: str | None) -> None:
     (tmp_path / "thesis.html").write_text("years of work")
     if manifest is not None:
@@ -215,8 +239,10 @@ def test_a_run_that_was_stopped_can_be_repeated(maker: SchemaMaker, tmp_path: Pa
         with pytest.raises(KeyboardInterrupt):
             reference.emit(_small(maker).schemas(), tmp_path, jobs=1)
     assert (tmp_path / "Game" / "AThing.html").exists()
+    maker.document["classes"] = [c for c in maker.document["classes"] if c["name"] != "AThing"]
     reference.emit(maker.schemas(), tmp_path)
     assert (tmp_path / "index.html").exists()
+    assert not (tmp_path / "Game" / "AThing.html").exists(), "what the stopped run left is removed like anything else of an earlier one"
 
 
 def test_a_schema_without_source_and_metadata_is_enough(engine_schemas: SchemaSet, tmp_path: Path) -> None:
@@ -309,6 +335,7 @@ def test_delegates_and_structs_have_pages(maker: SchemaMaker, write: Write) -> N
     folder = write(maker)
     assert "AThing_FOpened.html" in read_page(folder / "Game" / "AThing.html").links
     delegate = read_page(folder / "Game" / "AThing_FOpened.html")
+    assert "AThing.html#OnOpened" in delegate.links, "the variable of that type"
     assert "It has been opened." in delegate.text and "Angle" in delegate.text and "AThing.html" in delegate.links
     assert "FBase.html#A" in read_page(folder / "Game" / "FDerived.html").links
     assert "FDerived.html" in read_page(folder / "Game" / "FBase.html").links

@@ -23,7 +23,7 @@ from spear.typing import (
     ValuePath,
 )
 from spear.unreal.CoreUObject import FColor, FScriptDelegate, FTransform, FVector, FVector_in, FVector_path, UClass, UObject
-from spear.unreal.Engine import AActor
+from spear.unreal.Engine import AActor, USceneComponent
 from spear.unreal.RoundTrip import (
     ERoundTripLegacy,
     ERoundTripMode,
@@ -69,6 +69,12 @@ def references(trip: URoundTrip, actor: AActor) -> None:
     assert_type(trip.ActorValue.get(), AActor)
     same(trip.ActorValue.get(), actor)
     assert_type(trip.ActorValue.bHidden.get(), bool)  # variables of the object referred to
+    assert_type(trip.ActorValue.get_component(USceneComponent), USceneComponent)  # as the object itself
+    assert_type(trip.ActorValue.async_.get_component(USceneComponent), Future[USceneComponent])
+    same(trip.ActorValue.get_component(USceneComponent), actor.RootComponent.get())
+    same(trip.ActorValue.is_valid(), True)
+    same(trip.ActorValue.get_path_name(), actor.get_path_name())
+    same(trip.ActorValue.get("CustomTimeDilation"), 1.0)
     trip.WeakValue = trip.ActorValue.async_.get()  # a future of an object
     assert_type(trip.WeakValue.get(), AActor)
     same(trip.WeakValue.get(), actor)
@@ -172,7 +178,7 @@ def functions(trip: URoundTrip, calls: URoundTripCalls) -> None:
     (only,) = trip.CopyInt32(3)  # a single output is a tuple too
     assert_type(only, int)
     same(only, 3)
-    split = calls.Split("a=b")
+    split = calls.Split("a|b")
     assert_type(split.ReturnValue, bool)
     assert_type(split.Left, str)
     same((split.Left, split.Right), ("a", "b"))

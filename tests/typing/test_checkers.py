@@ -62,6 +62,27 @@ def test_every_kind_of_value_by_pyright(round_trip_project: Path) -> None:
     assert run_pyright(round_trip_project, ["round_trip.py", "spear/unreal/RoundTrip"]) == []
 
 
+def test_odd_shapes_by_mypy(awkward_project: Path) -> None:
+    assert run_mypy(awkward_project, "-p", "spear.unreal.Awkward") == []
+
+
+def test_odd_shapes_by_pyright(awkward_project: Path) -> None:
+    assert run_pyright(awkward_project, ["spear/unreal/Awkward"]) == []
+
+
+def test_modules_without_headers_are_split_by_size(packaged_project: Path) -> None:
+    sizes = {path.name: path.stat().st_size for path in (packaged_project / "spear" / "unreal" / "Engine").glob("*.pyi")}
+    assert len(sizes) > 3 and max(sizes.values()) < 500_000, sizes
+
+
+def test_stubs_without_metadata_by_mypy(packaged_project: Path) -> None:
+    assert run_mypy(packaged_project, "-p", "spear.unreal") == []
+
+
+def test_stubs_without_metadata_by_pyright(packaged_project: Path) -> None:
+    assert run_pyright(packaged_project, ["spear/unreal/**/*.pyi"]) == []
+
+
 def expected_errors() -> list[int]:
     lines = (HERE / "errors.py").read_text().splitlines()
     return [number for number, line in enumerate(lines, 1) if "  # error: " in line]

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import ast
 import sys
 from pathlib import Path
+
+import pytest
 
 import spear
 
@@ -31,4 +34,30 @@ def test_every_kind_of_value_is_what_its_stub_says(round_trip_engine: spear.Inst
         finally:
             game.destroy_actor(actor)
     with round_trip_engine.end_frame():
+        pass
+
+
+def test_names_for_annotations_exist_at_run_time(source_directory: Path) -> None:
+    import spear.typing
+
+    described = ast.parse((source_directory / "python" / "spear" / "typing.pyi").read_text())
+    classes = {node.name for node in described.body if isinstance(node, ast.ClassDef) and not node.name.startswith("_")}
+    aliases = {node.target.id for node in described.body if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)} - {"MYPY"}
+    assert classes | aliases | {"Future"} == set(spear.typing.__all__)
+    assert spear.typing.Path[bool] is spear.typing.Path  # any annotation of the stubs may be written
+    assert spear.typing.ArrayPath[str, str, str, str] is spear.typing.ArrayPath
+    with pytest.raises(TypeError, match="paths come from objects"):
+        spear.typing.Path()
+
+
+def test_paths_are_told_from_values(instance: spear.Instance) -> None:
+    from spear.typing import Path as SpearPath
+    from spear.unreal.Engine import AStaticMeshActor
+
+    game = instance.get_game()
+    with instance.begin_frame():
+        actor = game.spawn_actor(AStaticMeshActor)
+        assert isinstance(actor.bHidden, SpearPath) and not isinstance(actor.bHidden.get(), SpearPath) and not isinstance(actor, SpearPath)
+        game.destroy_actor(actor)
+    with instance.end_frame():
         pass

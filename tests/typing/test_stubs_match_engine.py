@@ -23,6 +23,13 @@ TEXTS = {"string", "name", "text", "field_path"}
 OBJECTS = {"object", "weak_object", "lazy_object", "interface"}
 
 
+#: What spear.typing calls the descriptors of plain variables.
+PLAIN = {
+    f"{facet}{word}Property": f"Property[{facet}Path[{plain}], {plain} | Future[{plain}]]" if facet != "Send" else f"SendProperty[{plain} | Future[{plain}]]"
+    for facet in ("", "Async", "Send") for word, plain in (("Bool", "bool"), ("Int", "int"), ("Float", "float"), ("Str", "str"))
+}
+
+
 class StubFile:
     """One .pyi, its classes, and what its local names mean."""
 
@@ -365,13 +372,25 @@ def test_types_of_variables(stubs: Stubs, schema: dict[str, Any]) -> None:
                 compared += 1
         file, _, variables = members_of(stubs, family(entity) + "_send")
         for variable in entity["properties"]:
-            annotation = variables[variable["name"]]
+            annotation = descriptor(file, variables[variable["name"]])
             assert isinstance(annotation, ast.Subscript) and file.text(annotation.value) == "SendProperty"
             same_type(file, annotation.slice, written(variable["type"], variable["array_dim"]), f"{entity['name']}_send.{variable['name']}")
     assert compared > 600
 
 
+def descriptor(file: StubFile, annotation: ast.expr) -> ast.expr:
+    """The annotation of a variable without the short names."""
+    return ast.parse(PLAIN.get(file.text(annotation), file.text(annotation)), mode="eval").body
+
+
+def test_short_names_mean_what_this_test_takes_them_for(source_directory: Path) -> None:
+    tree = ast.parse((source_directory / "python" / "spear" / "typing.pyi").read_text())
+    found = {n.target.id: ast.unparse(n.value) for n in tree.body if isinstance(n, ast.AnnAssign) and isinstance(n.target, ast.Name) and n.value is not None}
+    assert {name: text for name, text in found.items() if name in PLAIN} == PLAIN
+
+
 def compare_variable(file: StubFile, annotation: ast.expr, variable: dict[str, Any], prefix: str, where: str) -> None:
+    annotation = descriptor(file, annotation)
     assert isinstance(annotation, ast.Subscript) and file.text(annotation.value) == "Property", where
     assert isinstance(annotation.slice, ast.Tuple), where
     path_type, set_type = annotation.slice.elts

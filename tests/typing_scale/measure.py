@@ -30,7 +30,7 @@ for _place in (HERE, BUILD / "python"):
     if str(_place) not in sys.path:
         sys.path.insert(0, str(_place))
 
-import sample_program  # noqa: E402
+import program_text  # noqa: E402
 import workspace  # noqa: E402
 from language_server import LanguageServer  # noqa: E402
 from subject import Subject  # noqa: E402
@@ -146,9 +146,19 @@ def ask(environment: Environment, subject: Subject, rounds: int = 3) -> Answers:
         asynchronous = {item["label"] for item in server.completion(file, row, 4 + len("thing.async_."))}
 
         sample = folder / "sample.py"
-        server.open(sample, sample_program.write(subject))
+        server.open(sample, program_text.write(subject))
         diagnostics = [f"{d['range']['start']['line'] + 1}: {d['message']}" for d in server.wait_for_diagnostics(sample) if d.get("severity", 1) <= 2]
         return Answers(start, first, processor, completions, repeated, hovers, signatures, server.memory(), labels, documentation, hover_texts, parameters, asynchronous, diagnostics)
+
+
+def first_answer(environment: Environment, subject: Subject) -> float:
+    """Seconds from the start of a new server to its first completion answer."""
+    folder = environment.folder / "workspace"
+    file = folder / "first.py"
+    with LanguageServer(folder, environment.python) as server:
+        server.open(file, f"from spear.unreal.{subject.module} import {subject.name}\n\n\ndef explore(thing: {subject.name}) -> None:\n    thing.\n")
+        assert server.completion(file, 4, 4 + len("thing."))
+        return time.perf_counter() - server.started
 
 
 def _parameter_label(signature: str, label: str | list[int]) -> str:
@@ -190,7 +200,7 @@ def check_mypy(environment: Environment, subject: Subject) -> Checked:
     folder = environment.folder / "mypy"
     folder.mkdir(exist_ok=True)
     sample = folder / "sample.py"
-    sample.write_text(sample_program.write(subject), encoding="utf-8")
+    sample.write_text(program_text.write(subject), encoding="utf-8")
     modules = [f"spear.unreal.{module.name}" for module in environment.schemas.main_modules]
     (folder / "everything.py").write_text("".join(f"import {module}\n" for module in modules), encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--python-executable", str(environment.python), "--cache-dir", os.devnull, "--no-incremental"]
@@ -211,7 +221,7 @@ def check_pyright(environment: Environment, subject: Subject) -> Checked:
         package = BUILD / "python" / "spear"
         shutil.copytree(package, folder / "spear", ignore=lambda place, names: [name for name in names if Path(place) == package and name == "unreal"])
         shutil.copytree(environment.stubs / "unreal", folder / "spear" / "unreal", copy_function=os.link)
-    (folder / "sample.py").write_text(sample_program.write(subject), encoding="utf-8")
+    (folder / "sample.py").write_text(program_text.write(subject), encoding="utf-8")
     (folder / "pyrightconfig.json").write_text(json.dumps({"include": ["spear/unreal", "sample.py"], "typeCheckingMode": "strict"}), encoding="utf-8")
     seconds, memory, code, output = run([sys.executable, "-m", "pyright", "--pythonpath", sys.executable, "-p", str(folder)], folder)
     return Checked(seconds, memory, code, output, output.strip().splitlines()[-1] if output.strip() else "")

@@ -28,8 +28,9 @@ _ONLY = ("breaking", "compatible", "removed", "changed", "added")
               help="How deep: what reflection always knows; also defaults and metadata; also comments, C++ spelling and headers.")
 @click.option("--only", type=click.Choice(_ONLY), multiple=True, help="Only such changes (repeatable: --only breaking --only changed shows those that are both).")
 @click.option("-m", "--module", "modules", multiple=True, help="Only changes in this module (repeatable).")
+@click.option("--import", "imports", type=SCHEMA_FILE, multiple=True, help="Schema that both refer to, e.g. the engine's: it tells which class derives from which (repeatable).")
 @click.option("--json", "as_json", is_flag=True, help="For programs: one object with counts and all changes.")
-def diff(old: Path, new: Path, tier: str, only: tuple[str, ...], modules: tuple[str, ...], as_json: bool) -> None:
+def diff(old: Path, new: Path, tier: str, only: tuple[str, ...], modules: tuple[str, ...], imports: tuple[Path, ...], as_json: bool) -> None:
     """Compare two schemas: what is gone, what changed, what is new, and what of it breaks programs written for OLD.
 
     Breaking: something is gone, or a type, the order, direction or number of parameters, a value, a base class changed. A member that moved
@@ -47,11 +48,11 @@ def diff(old: Path, new: Path, tier: str, only: tuple[str, ...], modules: tuple[
     from spear.codegen.schema import SchemaSet
 
     try:
-        left, right = read_all([old, new])
+        left, right, *others = read_all([old, new, *imports])
     except Failure as failure:
         raise Trouble(failure.message) from None
     try:
-        changes = logic.diff(SchemaSet.of([left]), SchemaSet.of([right]), tier)
+        changes = logic.diff(SchemaSet.of([left], others), SchemaSet.of([right], others), tier)
     except (KeyError, TypeError, AttributeError) as error:
         raise Trouble(f"{old} or {new} lacks what a schema must have ({type(error).__name__}: {error}); `spear schema check` says what and where") from None
     severities, kinds = {o for o in only if o in _ONLY[:2]}, {o for o in only if o in _ONLY[2:]}

@@ -64,7 +64,7 @@ def _read_standard_input() -> dict[str, Any]:
 
     with tempfile.TemporaryDirectory(prefix="spear-") as folder:
         copy = Path(folder) / "standard-input"
-        copy.write_bytes(click.get_binary_stream("stdin").read())
+        copy.write_bytes(sys.stdin.buffer.read())
         try:
             return load_schema(copy)
         except SchemaError as error:

@@ -145,7 +145,8 @@ def _helper(module: str, name: str, kind: str, full: str) -> Any:
     if kind in ("dict", "in"):
         return dict if kind == "dict" else object
     bases: dict[str, type] = {
-        "members": ObjectBase, "path": Member, "async": AsyncNamespace, "async_members": AsyncNamespace, "async_path": Member, "send": SendNamespace, "Result": Result,
+        "members": ObjectBase, "path": Member, "async": AsyncNamespace, "async_members": AsyncNamespace, "async_path": Member,
+        "send": SendNamespace, "Result": Result,
     }
     base = bases[kind]
 

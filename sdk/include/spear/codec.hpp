@@ -138,9 +138,17 @@ struct Codec<T> {
     static CodecError decode(Decoder& in, TypeId type, const DecodeContext&, T& value) { return decode_number(in, type, value); }
 };
 
+/// The entries of a generated enum (proxy_types.hpp): such travel by the names of their entries.
+template <typename E>
+struct EnumEntries;
+
+/// A generated enum.
+template <typename E>
+concept GeneratedEnum = std::is_enum_v<E> && requires { EnumEntries<E>::list; };
+
 /// An enum is sent as its number and read from a number or an announced enumeration.
 template <typename T>
-    requires std::is_enum_v<T>
+    requires(std::is_enum_v<T> && !GeneratedEnum<T>)
 struct Codec<T> {
     static constexpr std::string_view name = "enum";
     static void encode(Encoder& out, T value) { Codec<std::int64_t>::encode(out, static_cast<std::int64_t>(value)); }

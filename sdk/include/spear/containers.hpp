@@ -83,8 +83,8 @@ struct Codec<KeyValues<K, V>> {
     static void encode(Encoder& out, const KeyValues<K, V>& value) { detail::encode_map(out, value); }
     static CodecError decode(Decoder& in, TypeId type, const DecodeContext& context, KeyValues<K, V>& value) {
         value.clear();
-        return detail::decode_map<K, V>(in, type, context,
-            [&](K&& key, V&& element) { value.emplace_back(std::move(key), std::move(element)); });
+        return detail::decode_map<K, V>(
+            in, type, context, [&](K&& key, V&& element) { value.emplace_back(std::move(key), std::move(element)); });
     }
 };
 

@@ -51,10 +51,20 @@ constexpr bool fits_field() {
         return fits_argument<T, A>() && std::constructible_from<T, const A&>;
 }
 
+/// Integers only if they fit: raises OutOfRange.
+template <typename T, typename A>
+T member_cast(const A& value) {
+    if constexpr (std::is_integral_v<T> && std::is_integral_v<A> && !std::is_same_v<T, bool>) {
+        if (!std::in_range<T>(value))
+            throw_error(ErrorCode::OutOfRange, fmt::format("{} is outside the range of a member of a struct.", value));
+    }
+    return static_cast<T>(value);
+}
+
 [[noreturn]] inline void throw_not_given() {
-    throw_error(ErrorCode::ArgumentError,
-        "This member of a struct has no value here: it was not given, or is a future. The engine's own value for it is known to the "
-        "engine only.");
+    throw_error(ErrorCode::ArgumentError, "This member of a struct has no value here: it was not given, or is a "
+                                          "future. The engine's own value for it is known to the "
+                                          "engine only.");
 }
 
 } // namespace detail
@@ -68,10 +78,11 @@ public:
     Field(T value) : value_(std::move(value)), given_(true) {}
     template <typename A>
         requires(!std::is_same_v<A, T> && detail::fits_field<T, A>())
-    Field(const A& value) : value_(static_cast<T>(value)), given_(true) {}
+    Field(const A& value) : value_(detail::member_cast<T>(value)), given_(true) {}
     template <typename U>
         requires(detail::fits_argument<T, Future<U>>())
-    Field(const Future<U>& future) : future_(std::make_shared<const OperationHandle>(future.operation())), given_(true) {}
+    Field(const Future<U>& future)
+        : future_(std::make_shared<const OperationHandle>(future.operation())), given_(true) {}
     /// `.Location = {1, 2, 3}`
     template <typename... A>
         requires(sizeof...(A) > 1 && std::is_aggregate_v<T> && requires(A&&... a) { T(std::forward<A>(a)...); })
@@ -79,7 +90,7 @@ public:
     /// `.Tags = {"one", "two"}`
     template <typename E>
         requires(!std::is_aggregate_v<T> && std::constructible_from<T, std::initializer_list<E>> &&
-                 !std::convertible_to<const T&, std::string_view>)
+                    !std::convertible_to<const T&, std::string_view>)
     Field(std::initializer_list<E> elements) : value_(elements), given_(true) {}
 
     /// Whether it travels.
@@ -107,7 +118,8 @@ public:
     void reset() { *this = Field(); }
 
     friend bool operator==(const Field& a, const Field& b) {
-        return a.is_given() == b.is_given() && (!a.is_given() || (a.has_value() && b.has_value() && a.get() == b.get()));
+        return a.is_given() == b.is_given() &&
+               (!a.is_given() || (a.has_value() && b.has_value() && a.get() == b.get()));
     }
     template <typename U>
         requires(!detail::is_field<U>)
@@ -116,9 +128,7 @@ public:
     }
 
     /// For encoding: the future, if it is one; the value otherwise.
-    const OperationHandle* future() const noexcept {
-        return future_.get();
-    }
+    const OperationHandle* future() const noexcept { return future_.get(); }
     const T& stored() const { return get(); }
 
 private:

@@ -29,6 +29,9 @@ namespace spear {
 class Object;
 class Class;
 
+template <typename T>
+struct ProxyTraits; // proxy_types.hpp
+
 /// A property path of an object: `object["RootComponent"]["RelativeLocation"]["X"]`. It leads through objects, structs,
 /// arrays and maps, is resolved by the engine when it is read or written, and costs nothing until then.
 class Property {
@@ -172,10 +175,15 @@ public:
     bool is_a(std::string_view class_name) const;
 
     /// The object as a generated proxy (or any class derived from Object) if its class is, or derives from,
-    /// T::unreal_name; else raises WrongType. No round trip.
+    /// T::unreal_name; else raises WrongType. No round trip, except for interfaces: whether it implements one is asked.
     template <std::derived_from<Object> T>
     T cast() const {
-        if (!is_null() && !derives_from(T::unreal_name))
+        bool fits = is_null();
+        if constexpr (requires { ProxyTraits<T>::is_interface; })
+            fits = fits || is_a(T::unreal_name);
+        else
+            fits = fits || derives_from(T::unreal_name);
+        if (!fits)
             throw_bad_cast(T::unreal_name);
         return T(static_cast<const ObjectHandle&>(*this));
     }

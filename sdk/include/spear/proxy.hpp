@@ -114,15 +114,19 @@ CallResult<detail::call_mode_of<Self>(), R> call_proxy_named(
     OperationBuilder operation(*session, unreal_service::call_function);
     detail::put_target(operation, target);
     std::vector<std::string_view> names;
-    StructTraits<Arguments>::visit(arguments, [&](std::string_view name, const auto& argument) {
-        if (argument.is_given())
-            names.push_back(name);
-    });
+    StructTraits<Arguments>::visit(
+        [&](std::string_view name, const auto& argument) {
+            if (argument.is_given())
+                names.push_back(name);
+        },
+        arguments);
     operation.put_shape(session->call_shape(function, names));
-    StructTraits<Arguments>::visit(arguments, [&](std::string_view, const auto& argument) {
-        if (argument.is_given())
-            detail::put_pieces(operation, argument);
-    });
+    StructTraits<Arguments>::visit(
+        [&](std::string_view, const auto& argument) {
+            if (argument.is_given())
+                detail::put_pieces(operation, argument);
+        },
+        arguments);
     return detail::perform<detail::call_mode_of<Self>(), R>(operation, session);
 }
 
@@ -140,8 +144,8 @@ using LayersOf = typename ProxyTraits<T>::template Layers<Base>;
 template <typename Self, typename Base>
 class Proxy : public Base {
 public:
-    using Base::Base;
     using Base::async;
+    using Base::Base;
     using Base::send;
     /// The same functions giving futures, and properties whose get() and set() give futures.
     auto async() const { return with_mode<CallMode::async>(); }
@@ -216,15 +220,17 @@ struct Codec<T> {
                 return true;
         };
         std::uint32_t count = 0;
-        StructTraits<T>::visit(value, [&](std::string_view, const auto& member) { count += given(member) ? 1 : 0; });
+        StructTraits<T>::visit([&](std::string_view, const auto& member) { count += given(member) ? 1 : 0; }, value);
         out.put(types::dict);
         out.put(count);
-        StructTraits<T>::visit(value, [&](std::string_view field, const auto& member) {
-            if (given(member)) {
-                out.put_text(field);
-                encode_value(out, member);
-            }
-        });
+        StructTraits<T>::visit(
+            [&](std::string_view field, const auto& member) {
+                if (given(member)) {
+                    out.put_text(field);
+                    encode_value(out, member);
+                }
+            },
+            value);
     }
     static CodecError decode(Decoder& in, TypeId type, const DecodeContext& context, T& value) {
         value = T{};
@@ -244,14 +250,16 @@ struct Codec<T> {
         CodecError error = CodecError::none;
         std::size_t at = 0;
         bool in_order = true;
-        StructTraits<T>::visit(value, [&](std::string_view field, auto& member) {
-            if (!in_order || error != CodecError::none)
-                return;
-            if (at == info->fields.size() || info->fields[at].name != field)
-                in_order = false;
-            else
-                error = decode_element(in, info->fields[at++].type, context, member);
-        });
+        StructTraits<T>::visit(
+            [&](std::string_view field, auto& member) {
+                if (!in_order || error != CodecError::none)
+                    return;
+                if (at == info->fields.size() || info->fields[at].name != field)
+                    in_order = false;
+                else
+                    error = decode_element(in, info->fields[at++].type, context, member);
+            },
+            value);
         for (; at < info->fields.size() && error == CodecError::none && in.ok(); ++at)
             error = decode_member(in, info->fields[at].name, info->fields[at].type, context, value);
         return error;
@@ -262,12 +270,14 @@ private:
         Decoder& in, std::string_view field, TypeId type, const DecodeContext& context, T& value) {
         CodecError error = CodecError::none;
         bool known = false;
-        StructTraits<T>::visit(value, [&](std::string_view member_name, auto& member) {
-            if (!known && member_name == field) {
-                known = true;
-                error = decode_element(in, type, context, member);
-            }
-        });
+        StructTraits<T>::visit(
+            [&](std::string_view member_name, auto& member) {
+                if (!known && member_name == field) {
+                    known = true;
+                    error = decode_element(in, type, context, member);
+                }
+            },
+            value);
         if (!known) {
             if (type == types::any)
                 type = in.get<TypeId>();

@@ -148,6 +148,8 @@ constexpr bool fits_argument() {
                    fits_argument<typename EntryTypes<P>::Value, typename A::mapped_type>();
         else
             return false;
+    } else if constexpr (std::is_same_v<P, Class>) {
+        return is_class_name<A> || StringLike<A> || fits_object<Class, A>();
     } else if constexpr (std::derived_from<P, ObjectHandle>) {
         return fits_object<P, A>();
     } else {
@@ -181,15 +183,17 @@ void put_struct(OperationBuilder& operation, const T& value) {
         else
             return true;
     };
-    StructTraits<T>::visit(value, [&](std::string_view, const auto& member) { count += given(member) ? 1 : 0; });
+    StructTraits<T>::visit([&](std::string_view, const auto& member) { count += given(member) ? 1 : 0; }, value);
     operation.out().put(types::dict);
     operation.out().put(count);
-    StructTraits<T>::visit(value, [&](std::string_view name, const auto& member) {
-        if (given(member)) {
-            operation.out().put_text(name);
-            put_pieces(operation, member);
-        }
-    });
+    StructTraits<T>::visit(
+        [&](std::string_view name, const auto& member) {
+            if (given(member)) {
+                operation.out().put_text(name);
+                put_pieces(operation, member);
+            }
+        },
+        value);
 }
 
 /// Any value: with announced types where that is possible, else piece by piece.

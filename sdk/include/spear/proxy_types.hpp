@@ -37,8 +37,8 @@ template <typename T>
 struct ProxyTraits;
 
 /// What a generated struct says about itself: specialised beside each.
-///   name: "FHitResult";   visit(value, f): calls f(Unreal's name of the member, member) in order;
-///   Path<Base>: Base with the members as property paths.
+///   name: "FHitResult";   visit(f, values...): calls f(Unreal's name of the member, the member of each value) in
+///   order; Path<Base>: Base with the members as property paths.
 template <typename T>
 struct StructTraits;
 
@@ -55,6 +55,15 @@ concept ProxyClass = std::derived_from<T, ObjectHandle> && requires { sizeof(Pro
 /// A generated struct (or the result of a function with several outputs).
 template <typename T>
 concept GeneratedStruct = std::is_class_v<T> && requires { StructTraits<T>::name; };
+
+/// Whether all members of two structs of one type are equal. A template, so that structs need not be complete where
+/// their == is written.
+template <typename T>
+bool equal_members(const T& a, const T& b) {
+    bool equal = true;
+    StructTraits<T>::visit([&](std::string_view, const auto& x, const auto& y) { equal = equal && x == y; }, a, b);
+    return equal;
+}
 
 /// Marks a proxy class that implements the interface of that proxy (IFoo).
 template <typename Interface>
@@ -81,7 +90,8 @@ public:
     SubclassOf(const SubclassOf<U>& other) : Class(static_cast<const ObjectHandle&>(other)) {}
 };
 
-/// The class of a proxy as an argument, without asking for it first: `actor.GetComponentByClass(spear::class_of<UCameraComponent>)`.
+/// The class of a proxy as an argument, without asking for it first:
+/// `actor.GetComponentByClass(spear::class_of<UCameraComponent>)`.
 template <typename T>
 struct ClassName {
     static constexpr std::string_view name() { return T::unreal_name; }
@@ -163,13 +173,8 @@ struct Members<Delegate> {
 // Enums
 // -----------------------------------------------------------------------------------------------------------------------
 
-/// The entries of a generated enum: specialised beside each with `name` and `list`, an array of pairs (Unreal's name, value).
-template <typename E>
-struct EnumEntries;
-
-/// A generated enum.
-template <typename E>
-concept GeneratedEnum = std::is_enum_v<E> && requires { EnumEntries<E>::list; };
+// EnumEntries<E> (declared in codec.hpp) is specialised beside each generated enum, with
+//   name: Unreal's;  flags: whether values are sets of bits;  list: an array of pairs (Unreal's name, value).
 
 /// Unreal's name of a value, "ECC_Pawn"; empty if no entry has it.
 template <GeneratedEnum E>
@@ -188,6 +193,48 @@ constexpr std::optional<E> enum_from_name(std::string_view name) {
             return entry;
     return {};
 }
+
+/// A generated enum travels by the name of its entry, so that an engine that numbers them in another way still gets the
+/// entry that was meant; sets of bits, and values without a name, as numbers.
+template <GeneratedEnum E>
+struct Codec<E> {
+    static constexpr std::string_view name = EnumEntries<E>::name;
+    static void encode(Encoder& out, E value) {
+        const std::string_view entry = EnumEntries<E>::flags ? std::string_view() : enum_name(value);
+        if (entry.empty())
+            Codec<std::int64_t>::encode(out, static_cast<std::int64_t>(value));
+        else
+            Codec<std::string>::encode(out, entry);
+    }
+    static CodecError decode(Decoder& in, TypeId type, const DecodeContext& context, E& value) {
+        if (type == types::string) {
+            const std::optional<E> named = enum_from_name<E>(in.get_text());
+            value = named.value_or(E{});
+            return named ? CodecError::none : CodecError::out_of_range;
+        }
+        const TypeInfo* info = context.tables.find(type);
+        const bool announced = info && info->kind == TypeKind::enumeration;
+        std::int64_t number = 0;
+        if (const CodecError error = decode_number(in, announced ? types::i64 : type, number);
+            error != CodecError::none)
+            return error;
+        if (announced && !EnumEntries<E>::flags) {
+            for (const EnumEntry& entry : info->entries) {
+                if (entry.value == number) {
+                    if (const std::optional<E> named = enum_from_name<E>(entry.name)) {
+                        value = *named;
+                        return CodecError::none;
+                    }
+                    break;
+                }
+            }
+        }
+        if (!std::in_range<std::underlying_type_t<E>>(number))
+            return CodecError::out_of_range;
+        value = static_cast<E>(number);
+        return CodecError::none;
+    }
+};
 
 /// UENUM(Flags): such enums have the operators of bits.
 template <typename E>

@@ -80,6 +80,8 @@ template <typename T>
 TypeId wire_type(TypeSource& source) {
     if constexpr (std::is_arithmetic_v<T>) {
         return detail::number_type<T>();
+    } else if constexpr (GeneratedEnum<T>) {
+        return types::any; // the entry's name, or a number
     } else if constexpr (std::is_enum_v<T>) {
         return types::i64;
     } else if constexpr (detail::StringLike<T>) {
@@ -118,7 +120,7 @@ void encode_payload(Encoder& out, const T& value, TypeSource& source) {
         out.put(static_cast<std::uint8_t>(value));
     } else if constexpr (std::is_arithmetic_v<T>) {
         out.put(value);
-    } else if constexpr (std::is_enum_v<T>) {
+    } else if constexpr (std::is_enum_v<T> && !GeneratedEnum<T>) {
         out.put(static_cast<std::int64_t>(value));
     } else if constexpr (detail::StringLike<T>) {
         out.put_text(std::string_view(value));

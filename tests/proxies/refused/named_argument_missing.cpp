@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// refused: (deleted|no matching|could not convert)
-#include <spear/unreal/Engine/UKismetSystemLibrary.hpp>
+// refused: (deleted|Substring)
+#include <spear/unreal/Engine/UKismetStringLibrary.hpp>
 void test(const spear::Game& game) {
-    using Arguments = spear::unreal::UKismetSystemLibrary_PrintString_Arguments;
-    game.get_class<spear::unreal::UKismetSystemLibrary>().PrintString(Arguments{.InString = "text", .Duration = 1.0});
+    using Arguments = spear::unreal::UKismetStringLibrary_FindSubstring_Arguments;
+    const auto strings = game.get_class<spear::unreal::UKismetStringLibrary>();
+    strings.FindSubstring(Arguments{.SearchIn = "haystack", .Substring = "st", .bSearchFromEnd = true});
 #ifdef REFUSED
-    game.get_class<spear::unreal::UKismetSystemLibrary>().PrintString(Arguments{.Nonsense = 1.0});
+    strings.FindSubstring(Arguments{.SearchIn = "haystack", .bSearchFromEnd = true});
 #endif
 }

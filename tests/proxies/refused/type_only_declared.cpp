@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// refused: only declared here: include its header
+// refused: (only declared here: include its header|incomplete type)
 #include <spear/unreal/Engine/AActor.hpp>
 #ifndef REFUSED
 #include <spear/unreal/Engine/USceneComponent.hpp>

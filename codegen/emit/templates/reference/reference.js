@@ -75,6 +75,7 @@
 
     // Search ----------------------------------------------------------------------------------------------------------------
     const input = byId("ui-search"), panel = byId("ui-results"), list = byId("result-list"), status = byId("result-status");
+    if (matchMedia("(max-width: 760px)").matches) input.placeholder = "Search";
     const chips = [...panel.querySelectorAll("#ui-kinds button")];
     const LIMIT = 60;
     let loading = null, shown = [], active = 0, kindFilter = "", words = [];

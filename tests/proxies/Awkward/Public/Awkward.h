@@ -59,6 +59,7 @@ struct FAwkwardThere {
     GENERATED_BODY()
     UPROPERTY() TArray<FAwkwardHere> Here;
     UPROPERTY() TObjectPtr<AAwkwardActor> Actor;
+    UPROPERTY() TMap<FName, TObjectPtr<AAwkwardActor>> Named;
 };
 
 /** Members with the names of the SDK's, of C++ and of the struct. */

@@ -18,7 +18,7 @@ struct FBox {
     spear::Field<unreal::FVector> Max{};
     /// 1 if the box holds a point.
     spear::Field<std::uint8_t> IsValid{};
-    friend bool operator==(const FBox&, const FBox&) = default;
+    friend bool operator==(const FBox& a, const FBox& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBox as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBox> {
     static constexpr std::string_view name = "FBox";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Min", value.Min);
-        visitor("Max", value.Max);
-        visitor("IsValid", value.IsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Min", values.Min...);
+        visitor("Max", values.Max...);
+        visitor("IsValid", values.IsValid...);
     }
     template <typename Base>
     using Path = spear::unreal::FBox_Path<Base>;

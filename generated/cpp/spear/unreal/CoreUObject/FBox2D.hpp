@@ -18,7 +18,7 @@ struct FBox2D {
     spear::Field<unreal::FVector2D> Max{};
     /// True if the rectangle holds a point.
     spear::Field<bool> bIsValid{};
-    friend bool operator==(const FBox2D&, const FBox2D&) = default;
+    friend bool operator==(const FBox2D& a, const FBox2D& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBox2D as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBox2D> {
     static constexpr std::string_view name = "FBox2D";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Min", value.Min);
-        visitor("Max", value.Max);
-        visitor("bIsValid", value.bIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Min", values.Min...);
+        visitor("Max", values.Max...);
+        visitor("bIsValid", values.bIsValid...);
     }
     template <typename Base>
     using Path = spear::unreal::FBox2D_Path<Base>;

@@ -19,7 +19,7 @@ struct FBox2f {
     spear::Field<unreal::FVector2f> Max{};
     /// True if the rectangle holds a point.
     spear::Field<bool> bIsValid{};
-    friend bool operator==(const FBox2f&, const FBox2f&) = default;
+    friend bool operator==(const FBox2f& a, const FBox2f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBox2f as property paths.
@@ -37,11 +37,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBox2f> {
     static constexpr std::string_view name = "FBox2f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Min", value.Min);
-        visitor("Max", value.Max);
-        visitor("bIsValid", value.bIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Min", values.Min...);
+        visitor("Max", values.Max...);
+        visitor("bIsValid", values.bIsValid...);
     }
     template <typename Base>
     using Path = spear::unreal::FBox2f_Path<Base>;

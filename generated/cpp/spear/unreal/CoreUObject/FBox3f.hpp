@@ -19,7 +19,7 @@ struct FBox3f {
     spear::Field<unreal::FVector3f> Max{};
     /// 1 if the box holds a point.
     spear::Field<std::uint8_t> IsValid{};
-    friend bool operator==(const FBox3f&, const FBox3f&) = default;
+    friend bool operator==(const FBox3f& a, const FBox3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBox3f as property paths.
@@ -37,11 +37,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBox3f> {
     static constexpr std::string_view name = "FBox3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Min", value.Min);
-        visitor("Max", value.Max);
-        visitor("IsValid", value.IsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Min", values.Min...);
+        visitor("Max", values.Max...);
+        visitor("IsValid", values.IsValid...);
     }
     template <typename Base>
     using Path = spear::unreal::FBox3f_Path<Base>;

@@ -18,7 +18,7 @@ struct FBoxSphereBounds {
     spear::Field<unreal::FVector> BoxExtent{};
     /// Radius of the sphere.
     spear::Field<double> SphereRadius{};
-    friend bool operator==(const FBoxSphereBounds&, const FBoxSphereBounds&) = default;
+    friend bool operator==(const FBoxSphereBounds& a, const FBoxSphereBounds& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBoxSphereBounds as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBoxSphereBounds> {
     static constexpr std::string_view name = "FBoxSphereBounds";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("BoxExtent", value.BoxExtent);
-        visitor("SphereRadius", value.SphereRadius);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("BoxExtent", values.BoxExtent...);
+        visitor("SphereRadius", values.SphereRadius...);
     }
     template <typename Base>
     using Path = spear::unreal::FBoxSphereBounds_Path<Base>;

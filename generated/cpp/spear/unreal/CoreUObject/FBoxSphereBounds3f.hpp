@@ -19,7 +19,7 @@ struct FBoxSphereBounds3f {
     spear::Field<unreal::FVector3f> BoxExtent{};
     /// Radius of the sphere.
     spear::Field<float> SphereRadius{};
-    friend bool operator==(const FBoxSphereBounds3f&, const FBoxSphereBounds3f&) = default;
+    friend bool operator==(const FBoxSphereBounds3f& a, const FBoxSphereBounds3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBoxSphereBounds3f as property paths.
@@ -37,11 +37,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBoxSphereBounds3f> {
     static constexpr std::string_view name = "FBoxSphereBounds3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("BoxExtent", value.BoxExtent);
-        visitor("SphereRadius", value.SphereRadius);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("BoxExtent", values.BoxExtent...);
+        visitor("SphereRadius", values.SphereRadius...);
     }
     template <typename Base>
     using Path = spear::unreal::FBoxSphereBounds3f_Path<Base>;

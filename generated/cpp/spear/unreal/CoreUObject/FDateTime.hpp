@@ -14,7 +14,7 @@ namespace spear::unreal {
 struct FDateTime {
     /// Ticks of 100 ns.
     spear::Field<std::int64_t> Ticks{};
-    friend bool operator==(const FDateTime&, const FDateTime&) = default;
+    friend bool operator==(const FDateTime& a, const FDateTime& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FDateTime as property paths.
@@ -30,9 +30,9 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FDateTime> {
     static constexpr std::string_view name = "FDateTime";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Ticks", value.Ticks);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Ticks", values.Ticks...);
     }
     template <typename Base>
     using Path = spear::unreal::FDateTime_Path<Base>;

@@ -20,7 +20,7 @@ struct FGuid {
     spear::Field<std::int32_t> C{};
     /// Part 4 of 4.
     spear::Field<std::int32_t> D{};
-    friend bool operator==(const FGuid&, const FGuid&) = default;
+    friend bool operator==(const FGuid& a, const FGuid& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FGuid as property paths.
@@ -39,12 +39,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FGuid> {
     static constexpr std::string_view name = "FGuid";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("A", value.A);
-        visitor("B", value.B);
-        visitor("C", value.C);
-        visitor("D", value.D);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("A", values.A...);
+        visitor("B", values.B...);
+        visitor("C", values.C...);
+        visitor("D", values.D...);
     }
     template <typename Base>
     using Path = spear::unreal::FGuid_Path<Base>;

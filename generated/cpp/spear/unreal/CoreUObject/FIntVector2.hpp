@@ -16,7 +16,7 @@ struct FIntVector2 {
     spear::Field<std::int32_t> X{};
     /// Y component.
     spear::Field<std::int32_t> Y{};
-    friend bool operator==(const FIntVector2&, const FIntVector2&) = default;
+    friend bool operator==(const FIntVector2& a, const FIntVector2& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FIntVector2 as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FIntVector2> {
     static constexpr std::string_view name = "FIntVector2";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
     }
     template <typename Base>
     using Path = spear::unreal::FIntVector2_Path<Base>;

@@ -20,7 +20,7 @@ struct FIntVector4 {
     spear::Field<std::int32_t> Z{};
     /// W component.
     spear::Field<std::int32_t> W{};
-    friend bool operator==(const FIntVector4&, const FIntVector4&) = default;
+    friend bool operator==(const FIntVector4& a, const FIntVector4& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FIntVector4 as property paths.
@@ -39,12 +39,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FIntVector4> {
     static constexpr std::string_view name = "FIntVector4";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FIntVector4_Path<Base>;

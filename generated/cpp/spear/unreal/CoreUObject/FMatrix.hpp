@@ -21,7 +21,7 @@ struct FMatrix {
     spear::Field<unreal::FPlane> ZPlane{};
     /// W row.
     spear::Field<unreal::FPlane> WPlane{};
-    friend bool operator==(const FMatrix&, const FMatrix&) = default;
+    friend bool operator==(const FMatrix& a, const FMatrix& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FMatrix as property paths.
@@ -40,12 +40,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FMatrix> {
     static constexpr std::string_view name = "FMatrix";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("XPlane", value.XPlane);
-        visitor("YPlane", value.YPlane);
-        visitor("ZPlane", value.ZPlane);
-        visitor("WPlane", value.WPlane);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("XPlane", values.XPlane...);
+        visitor("YPlane", values.YPlane...);
+        visitor("ZPlane", values.ZPlane...);
+        visitor("WPlane", values.WPlane...);
     }
     template <typename Base>
     using Path = spear::unreal::FMatrix_Path<Base>;

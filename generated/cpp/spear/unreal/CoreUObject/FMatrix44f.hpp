@@ -21,7 +21,7 @@ struct FMatrix44f {
     spear::Field<unreal::FPlane4f> ZPlane{};
     /// W row.
     spear::Field<unreal::FPlane4f> WPlane{};
-    friend bool operator==(const FMatrix44f&, const FMatrix44f&) = default;
+    friend bool operator==(const FMatrix44f& a, const FMatrix44f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FMatrix44f as property paths.
@@ -40,12 +40,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FMatrix44f> {
     static constexpr std::string_view name = "FMatrix44f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("XPlane", value.XPlane);
-        visitor("YPlane", value.YPlane);
-        visitor("ZPlane", value.ZPlane);
-        visitor("WPlane", value.WPlane);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("XPlane", values.XPlane...);
+        visitor("YPlane", values.YPlane...);
+        visitor("ZPlane", values.ZPlane...);
+        visitor("WPlane", values.WPlane...);
     }
     template <typename Base>
     using Path = spear::unreal::FMatrix44f_Path<Base>;

@@ -20,7 +20,7 @@ struct FPlane {
     spear::Field<double> Z{};
     /// Distance along the normal.
     spear::Field<double> W{};
-    friend bool operator==(const FPlane&, const FPlane&) = default;
+    friend bool operator==(const FPlane& a, const FPlane& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FPlane as property paths.
@@ -39,12 +39,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FPlane> {
     static constexpr std::string_view name = "FPlane";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FPlane_Path<Base>;

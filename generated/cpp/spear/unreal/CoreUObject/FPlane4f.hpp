@@ -20,7 +20,7 @@ struct FPlane4f {
     spear::Field<float> Z{};
     /// Distance along the normal.
     spear::Field<float> W{};
-    friend bool operator==(const FPlane4f&, const FPlane4f&) = default;
+    friend bool operator==(const FPlane4f& a, const FPlane4f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FPlane4f as property paths.
@@ -39,12 +39,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FPlane4f> {
     static constexpr std::string_view name = "FPlane4f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FPlane4f_Path<Base>;

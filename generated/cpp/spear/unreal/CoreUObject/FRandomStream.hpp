@@ -16,7 +16,7 @@ struct FRandomStream {
     spear::Field<std::int32_t> InitialSeed{};
     /// Current state.
     spear::Field<std::int32_t> Seed{};
-    friend bool operator==(const FRandomStream&, const FRandomStream&) = default;
+    friend bool operator==(const FRandomStream& a, const FRandomStream& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FRandomStream as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FRandomStream> {
     static constexpr std::string_view name = "FRandomStream";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("InitialSeed", value.InitialSeed);
-        visitor("Seed", value.Seed);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("InitialSeed", values.InitialSeed...);
+        visitor("Seed", values.Seed...);
     }
     template <typename Base>
     using Path = spear::unreal::FRandomStream_Path<Base>;

@@ -16,7 +16,7 @@ struct FRay {
     spear::Field<unreal::FVector> Origin{};
     /// Direction of length 1.
     spear::Field<unreal::FVector> Direction{};
-    friend bool operator==(const FRay&, const FRay&) = default;
+    friend bool operator==(const FRay& a, const FRay& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FRay as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FRay> {
     static constexpr std::string_view name = "FRay";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("Direction", value.Direction);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("Direction", values.Direction...);
     }
     template <typename Base>
     using Path = spear::unreal::FRay_Path<Base>;

@@ -17,7 +17,7 @@ struct FRay3f {
     spear::Field<unreal::FVector3f> Origin{};
     /// Direction of length 1.
     spear::Field<unreal::FVector3f> Direction{};
-    friend bool operator==(const FRay3f&, const FRay3f&) = default;
+    friend bool operator==(const FRay3f& a, const FRay3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FRay3f as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FRay3f> {
     static constexpr std::string_view name = "FRay3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("Direction", value.Direction);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("Direction", values.Direction...);
     }
     template <typename Base>
     using Path = spear::unreal::FRay3f_Path<Base>;

@@ -18,7 +18,7 @@ struct FRotator3f {
     spear::Field<float> Yaw{};
     /// Rotation around the forward axis (X), tilting the head (0 = straight, + = clockwise).
     spear::Field<float> Roll{};
-    friend bool operator==(const FRotator3f&, const FRotator3f&) = default;
+    friend bool operator==(const FRotator3f& a, const FRotator3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FRotator3f as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FRotator3f> {
     static constexpr std::string_view name = "FRotator3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Pitch", value.Pitch);
-        visitor("Yaw", value.Yaw);
-        visitor("Roll", value.Roll);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Pitch", values.Pitch...);
+        visitor("Yaw", values.Yaw...);
+        visitor("Roll", values.Roll...);
     }
     template <typename Base>
     using Path = spear::unreal::FRotator3f_Path<Base>;

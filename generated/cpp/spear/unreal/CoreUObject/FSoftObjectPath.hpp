@@ -17,7 +17,7 @@ struct FSoftObjectPath {
     spear::Field<unreal::FTopLevelAssetPath> AssetPath{};
     /// Path of an object inside the asset, or empty.
     spear::Field<std::string> SubPathString{};
-    friend bool operator==(const FSoftObjectPath&, const FSoftObjectPath&) = default;
+    friend bool operator==(const FSoftObjectPath& a, const FSoftObjectPath& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FSoftObjectPath as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FSoftObjectPath> {
     static constexpr std::string_view name = "FSoftObjectPath";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("AssetPath", value.AssetPath);
-        visitor("SubPathString", value.SubPathString);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("AssetPath", values.AssetPath...);
+        visitor("SubPathString", values.SubPathString...);
     }
     template <typename Base>
     using Path = spear::unreal::FSoftObjectPath_Path<Base>;

@@ -16,7 +16,7 @@ struct FSphere {
     spear::Field<unreal::FVector> Center{};
     /// Radius.
     spear::Field<double> W{};
-    friend bool operator==(const FSphere&, const FSphere&) = default;
+    friend bool operator==(const FSphere& a, const FSphere& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FSphere as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FSphere> {
     static constexpr std::string_view name = "FSphere";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Center", value.Center);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Center", values.Center...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FSphere_Path<Base>;

@@ -17,7 +17,7 @@ struct FSphere3f {
     spear::Field<unreal::FVector3f> Center{};
     /// Radius.
     spear::Field<float> W{};
-    friend bool operator==(const FSphere3f&, const FSphere3f&) = default;
+    friend bool operator==(const FSphere3f& a, const FSphere3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FSphere3f as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FSphere3f> {
     static constexpr std::string_view name = "FSphere3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Center", value.Center);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Center", values.Center...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FSphere3f_Path<Base>;

@@ -14,7 +14,7 @@ namespace spear::unreal {
 struct FTimespan {
     /// Ticks of 100 ns.
     spear::Field<std::int64_t> Ticks{};
-    friend bool operator==(const FTimespan&, const FTimespan&) = default;
+    friend bool operator==(const FTimespan& a, const FTimespan& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTimespan as property paths.
@@ -30,9 +30,9 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTimespan> {
     static constexpr std::string_view name = "FTimespan";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Ticks", value.Ticks);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Ticks", values.Ticks...);
     }
     template <typename Base>
     using Path = spear::unreal::FTimespan_Path<Base>;

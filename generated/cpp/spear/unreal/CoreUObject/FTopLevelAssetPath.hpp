@@ -16,7 +16,7 @@ struct FTopLevelAssetPath {
     spear::Field<std::string> PackageName{};
     /// Name of the object in the package.
     spear::Field<std::string> AssetName{};
-    friend bool operator==(const FTopLevelAssetPath&, const FTopLevelAssetPath&) = default;
+    friend bool operator==(const FTopLevelAssetPath& a, const FTopLevelAssetPath& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTopLevelAssetPath as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTopLevelAssetPath> {
     static constexpr std::string_view name = "FTopLevelAssetPath";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("PackageName", value.PackageName);
-        visitor("AssetName", value.AssetName);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("PackageName", values.PackageName...);
+        visitor("AssetName", values.AssetName...);
     }
     template <typename Base>
     using Path = spear::unreal::FTopLevelAssetPath_Path<Base>;

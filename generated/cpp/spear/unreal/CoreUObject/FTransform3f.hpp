@@ -20,7 +20,7 @@ struct FTransform3f {
     spear::Field<unreal::FVector3f> Translation{};
     /// Scale along the local axes.
     spear::Field<unreal::FVector3f> Scale3D{};
-    friend bool operator==(const FTransform3f&, const FTransform3f&) = default;
+    friend bool operator==(const FTransform3f& a, const FTransform3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTransform3f as property paths.
@@ -38,11 +38,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTransform3f> {
     static constexpr std::string_view name = "FTransform3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Rotation", value.Rotation);
-        visitor("Translation", value.Translation);
-        visitor("Scale3D", value.Scale3D);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Rotation", values.Rotation...);
+        visitor("Translation", values.Translation...);
+        visitor("Scale3D", values.Scale3D...);
     }
     template <typename Base>
     using Path = spear::unreal::FTransform3f_Path<Base>;

@@ -16,7 +16,7 @@ struct FVector2f {
     spear::Field<float> X{};
     /// Y component.
     spear::Field<float> Y{};
-    friend bool operator==(const FVector2f&, const FVector2f&) = default;
+    friend bool operator==(const FVector2f& a, const FVector2f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FVector2f as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FVector2f> {
     static constexpr std::string_view name = "FVector2f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
     }
     template <typename Base>
     using Path = spear::unreal::FVector2f_Path<Base>;

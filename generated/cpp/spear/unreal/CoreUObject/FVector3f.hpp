@@ -18,7 +18,7 @@ struct FVector3f {
     spear::Field<float> Y{};
     /// Z component.
     spear::Field<float> Z{};
-    friend bool operator==(const FVector3f&, const FVector3f&) = default;
+    friend bool operator==(const FVector3f& a, const FVector3f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FVector3f as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FVector3f> {
     static constexpr std::string_view name = "FVector3f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
     }
     template <typename Base>
     using Path = spear::unreal::FVector3f_Path<Base>;

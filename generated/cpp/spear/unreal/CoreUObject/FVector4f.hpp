@@ -20,7 +20,7 @@ struct FVector4f {
     spear::Field<float> Z{};
     /// W component.
     spear::Field<float> W{};
-    friend bool operator==(const FVector4f&, const FVector4f&) = default;
+    friend bool operator==(const FVector4f& a, const FVector4f& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FVector4f as property paths.
@@ -39,12 +39,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FVector4f> {
     static constexpr std::string_view name = "FVector4f";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
-        visitor("W", value.W);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
+        visitor("W", values.W...);
     }
     template <typename Base>
     using Path = spear::unreal::FVector4f_Path<Base>;

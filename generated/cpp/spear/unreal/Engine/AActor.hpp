@@ -824,160 +824,160 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_GetActorBounds_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetActorBounds_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("BoxExtent", value.BoxExtent);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("BoxExtent", values.BoxExtent...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_GetActorEyesViewPoint_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetActorEyesViewPoint_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutLocation", value.OutLocation);
-        visitor("OutRotation", value.OutRotation);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutLocation", values.OutLocation...);
+        visitor("OutRotation", values.OutRotation...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_GetAttachedActors_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAttachedActors_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActors", value.OutActors);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActors", values.OutActors...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorLocalOffset_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorLocalOffset_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorLocalRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorLocalRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorLocalTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorLocalTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorWorldOffset_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorWorldOffset_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorWorldRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorWorldRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorWorldTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorWorldTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_AddActorWorldTransformKeepScale_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddActorWorldTransformKeepScale_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorLocation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorLocation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorLocationAndRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorLocationAndRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorRelativeLocation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorRelativeLocation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorRelativeRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorRelativeRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorRelativeTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorRelativeTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_SetActorTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetActorTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AActor_K2_DetachFromActor_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("LocationRule", value.LocationRule);
-        visitor("RotationRule", value.RotationRule);
-        visitor("ScaleRule", value.ScaleRule);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("LocationRule", values.LocationRule...);
+        visitor("RotationRule", values.RotationRule...);
+        visitor("ScaleRule", values.ScaleRule...);
     }
 };
 

@@ -184,10 +184,10 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::AController_GetPlayerViewPoint_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetPlayerViewPoint_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Location", value.Location);
-        visitor("Rotation", value.Rotation);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Location", values.Location...);
+        visitor("Rotation", values.Rotation...);
     }
 };
 

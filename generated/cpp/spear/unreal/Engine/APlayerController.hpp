@@ -140,23 +140,23 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::APlayerController_GetViewportSize_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetViewportSize_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SizeX", value.SizeX);
-        visitor("SizeY", value.SizeY);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SizeX", values.SizeX...);
+        visitor("SizeY", values.SizeY...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::APlayerController_SetViewTargetWithBlend_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("NewViewTarget", value.NewViewTarget);
-        visitor("BlendTime", value.BlendTime);
-        visitor("BlendFunc", value.BlendFunc);
-        visitor("BlendExp", value.BlendExp);
-        visitor("bLockOutgoing", value.bLockOutgoing);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("NewViewTarget", values.NewViewTarget...);
+        visitor("BlendTime", values.BlendTime...);
+        visitor("BlendFunc", values.BlendFunc...);
+        visitor("BlendExp", values.BlendExp...);
+        visitor("bLockOutgoing", values.bLockOutgoing...);
     }
 };
 

@@ -18,7 +18,7 @@ namespace spear::unreal {
 struct FActorInstanceHandle {
     /// This is cached here for convenience.
     spear::ObjectField<AActor> Actor{};
-    friend bool operator==(const FActorInstanceHandle&, const FActorInstanceHandle&) = default;
+    friend bool operator==(const FActorInstanceHandle& a, const FActorInstanceHandle& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FActorInstanceHandle as property paths.
@@ -34,9 +34,9 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FActorInstanceHandle> {
     static constexpr std::string_view name = "FActorInstanceHandle";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Actor", value.Actor);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Actor", values.Actor...);
     }
     template <typename Base>
     using Path = spear::unreal::FActorInstanceHandle_Path<Base>;

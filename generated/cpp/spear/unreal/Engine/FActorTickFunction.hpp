@@ -31,7 +31,7 @@ struct FActorTickFunction {
     /// The frequency in seconds at which this tick function will be executed. If less than or equal to 0 then it will
     /// tick every frame.
     spear::Field<float> TickInterval{};
-    friend bool operator==(const FActorTickFunction&, const FActorTickFunction&) = default;
+    friend bool operator==(const FActorTickFunction& a, const FActorTickFunction& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FActorTickFunction as property paths.
@@ -53,15 +53,15 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FActorTickFunction> {
     static constexpr std::string_view name = "FActorTickFunction";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("TickGroup", value.TickGroup);
-        visitor("EndTickGroup", value.EndTickGroup);
-        visitor("bTickEvenWhenPaused", value.bTickEvenWhenPaused);
-        visitor("bCanEverTick", value.bCanEverTick);
-        visitor("bStartWithTickEnabled", value.bStartWithTickEnabled);
-        visitor("bAllowTickOnDedicatedServer", value.bAllowTickOnDedicatedServer);
-        visitor("TickInterval", value.TickInterval);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("TickGroup", values.TickGroup...);
+        visitor("EndTickGroup", values.EndTickGroup...);
+        visitor("bTickEvenWhenPaused", values.bTickEvenWhenPaused...);
+        visitor("bCanEverTick", values.bCanEverTick...);
+        visitor("bStartWithTickEnabled", values.bStartWithTickEnabled...);
+        visitor("bAllowTickOnDedicatedServer", values.bAllowTickOnDedicatedServer...);
+        visitor("TickInterval", values.TickInterval...);
     }
     template <typename Base>
     using Path = spear::unreal::FActorTickFunction_Path<Base>;

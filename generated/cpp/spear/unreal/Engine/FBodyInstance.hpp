@@ -25,7 +25,7 @@ struct FBodyInstance {
     spear::Field<unreal::ECollisionChannel> ObjectType{};
     /// How the body responds to each channel.
     spear::Field<unreal::FCollisionResponseContainer> CollisionResponses{};
-    friend bool operator==(const FBodyInstance&, const FBodyInstance&) = default;
+    friend bool operator==(const FBodyInstance& a, const FBodyInstance& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FBodyInstance as property paths.
@@ -44,12 +44,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FBodyInstance> {
     static constexpr std::string_view name = "FBodyInstance";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("CollisionProfileName", value.CollisionProfileName);
-        visitor("CollisionEnabled", value.CollisionEnabled);
-        visitor("ObjectType", value.ObjectType);
-        visitor("CollisionResponses", value.CollisionResponses);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("CollisionProfileName", values.CollisionProfileName...);
+        visitor("CollisionEnabled", values.CollisionEnabled...);
+        visitor("ObjectType", values.ObjectType...);
+        visitor("CollisionResponses", values.CollisionResponses...);
     }
     template <typename Base>
     using Path = spear::unreal::FBodyInstance_Path<Base>;

@@ -17,7 +17,7 @@ struct FCameraCacheEntry {
     spear::Field<float> TimeStamp{};
     /// Camera POV to cache.
     spear::Field<unreal::FMinimalViewInfo> POV{};
-    friend bool operator==(const FCameraCacheEntry&, const FCameraCacheEntry&) = default;
+    friend bool operator==(const FCameraCacheEntry& a, const FCameraCacheEntry& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FCameraCacheEntry as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FCameraCacheEntry> {
     static constexpr std::string_view name = "FCameraCacheEntry";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("TimeStamp", value.TimeStamp);
-        visitor("POV", value.POV);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("TimeStamp", values.TimeStamp...);
+        visitor("POV", values.POV...);
     }
     template <typename Base>
     using Path = spear::unreal::FCameraCacheEntry_Path<Base>;

@@ -55,7 +55,7 @@ struct FCollisionResponseContainer {
     spear::Field<unreal::ECollisionResponse> GameTraceChannel16{};
     spear::Field<unreal::ECollisionResponse> GameTraceChannel17{};
     spear::Field<unreal::ECollisionResponse> GameTraceChannel18{};
-    friend bool operator==(const FCollisionResponseContainer&, const FCollisionResponseContainer&) = default;
+    friend bool operator==(const FCollisionResponseContainer& a, const FCollisionResponseContainer& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FCollisionResponseContainer as property paths.
@@ -102,40 +102,40 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FCollisionResponseContainer> {
     static constexpr std::string_view name = "FCollisionResponseContainer";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("WorldStatic", value.WorldStatic);
-        visitor("WorldDynamic", value.WorldDynamic);
-        visitor("Pawn", value.Pawn);
-        visitor("Visibility", value.Visibility);
-        visitor("Camera", value.Camera);
-        visitor("PhysicsBody", value.PhysicsBody);
-        visitor("Vehicle", value.Vehicle);
-        visitor("Destructible", value.Destructible);
-        visitor("EngineTraceChannel1", value.EngineTraceChannel1);
-        visitor("EngineTraceChannel2", value.EngineTraceChannel2);
-        visitor("EngineTraceChannel3", value.EngineTraceChannel3);
-        visitor("EngineTraceChannel4", value.EngineTraceChannel4);
-        visitor("EngineTraceChannel5", value.EngineTraceChannel5);
-        visitor("EngineTraceChannel6", value.EngineTraceChannel6);
-        visitor("GameTraceChannel1", value.GameTraceChannel1);
-        visitor("GameTraceChannel2", value.GameTraceChannel2);
-        visitor("GameTraceChannel3", value.GameTraceChannel3);
-        visitor("GameTraceChannel4", value.GameTraceChannel4);
-        visitor("GameTraceChannel5", value.GameTraceChannel5);
-        visitor("GameTraceChannel6", value.GameTraceChannel6);
-        visitor("GameTraceChannel7", value.GameTraceChannel7);
-        visitor("GameTraceChannel8", value.GameTraceChannel8);
-        visitor("GameTraceChannel9", value.GameTraceChannel9);
-        visitor("GameTraceChannel10", value.GameTraceChannel10);
-        visitor("GameTraceChannel11", value.GameTraceChannel11);
-        visitor("GameTraceChannel12", value.GameTraceChannel12);
-        visitor("GameTraceChannel13", value.GameTraceChannel13);
-        visitor("GameTraceChannel14", value.GameTraceChannel14);
-        visitor("GameTraceChannel15", value.GameTraceChannel15);
-        visitor("GameTraceChannel16", value.GameTraceChannel16);
-        visitor("GameTraceChannel17", value.GameTraceChannel17);
-        visitor("GameTraceChannel18", value.GameTraceChannel18);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("WorldStatic", values.WorldStatic...);
+        visitor("WorldDynamic", values.WorldDynamic...);
+        visitor("Pawn", values.Pawn...);
+        visitor("Visibility", values.Visibility...);
+        visitor("Camera", values.Camera...);
+        visitor("PhysicsBody", values.PhysicsBody...);
+        visitor("Vehicle", values.Vehicle...);
+        visitor("Destructible", values.Destructible...);
+        visitor("EngineTraceChannel1", values.EngineTraceChannel1...);
+        visitor("EngineTraceChannel2", values.EngineTraceChannel2...);
+        visitor("EngineTraceChannel3", values.EngineTraceChannel3...);
+        visitor("EngineTraceChannel4", values.EngineTraceChannel4...);
+        visitor("EngineTraceChannel5", values.EngineTraceChannel5...);
+        visitor("EngineTraceChannel6", values.EngineTraceChannel6...);
+        visitor("GameTraceChannel1", values.GameTraceChannel1...);
+        visitor("GameTraceChannel2", values.GameTraceChannel2...);
+        visitor("GameTraceChannel3", values.GameTraceChannel3...);
+        visitor("GameTraceChannel4", values.GameTraceChannel4...);
+        visitor("GameTraceChannel5", values.GameTraceChannel5...);
+        visitor("GameTraceChannel6", values.GameTraceChannel6...);
+        visitor("GameTraceChannel7", values.GameTraceChannel7...);
+        visitor("GameTraceChannel8", values.GameTraceChannel8...);
+        visitor("GameTraceChannel9", values.GameTraceChannel9...);
+        visitor("GameTraceChannel10", values.GameTraceChannel10...);
+        visitor("GameTraceChannel11", values.GameTraceChannel11...);
+        visitor("GameTraceChannel12", values.GameTraceChannel12...);
+        visitor("GameTraceChannel13", values.GameTraceChannel13...);
+        visitor("GameTraceChannel14", values.GameTraceChannel14...);
+        visitor("GameTraceChannel15", values.GameTraceChannel15...);
+        visitor("GameTraceChannel16", values.GameTraceChannel16...);
+        visitor("GameTraceChannel17", values.GameTraceChannel17...);
+        visitor("GameTraceChannel18", values.GameTraceChannel18...);
     }
     template <typename Base>
     using Path = spear::unreal::FCollisionResponseContainer_Path<Base>;

@@ -21,7 +21,7 @@ struct FCollisionResponseTemplate {
     spear::Field<bool> bCanModify{};
     /// Name of the object type.
     spear::Field<std::string> ObjectTypeName{};
-    friend bool operator==(const FCollisionResponseTemplate&, const FCollisionResponseTemplate&) = default;
+    friend bool operator==(const FCollisionResponseTemplate& a, const FCollisionResponseTemplate& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FCollisionResponseTemplate as property paths.
@@ -40,12 +40,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FCollisionResponseTemplate> {
     static constexpr std::string_view name = "FCollisionResponseTemplate";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Name", value.Name);
-        visitor("CollisionEnabled", value.CollisionEnabled);
-        visitor("bCanModify", value.bCanModify);
-        visitor("ObjectTypeName", value.ObjectTypeName);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Name", values.Name...);
+        visitor("CollisionEnabled", values.CollisionEnabled...);
+        visitor("bCanModify", values.bCanModify...);
+        visitor("ObjectTypeName", values.ObjectTypeName...);
     }
     template <typename Base>
     using Path = spear::unreal::FCollisionResponseTemplate_Path<Base>;

@@ -61,7 +61,7 @@ struct FHitResult {
     spear::Field<std::string> BoneName{};
     /// Name of the _my_ bone which took part in hit event (in case of two skeletal meshes colliding).
     spear::Field<std::string> MyBoneName{};
-    friend bool operator==(const FHitResult&, const FHitResult&) = default;
+    friend bool operator==(const FHitResult& a, const FHitResult& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FHitResult as property paths.
@@ -95,27 +95,27 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FHitResult> {
     static constexpr std::string_view name = "FHitResult";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("FaceIndex", value.FaceIndex);
-        visitor("Time", value.Time);
-        visitor("Distance", value.Distance);
-        visitor("Location", value.Location);
-        visitor("ImpactPoint", value.ImpactPoint);
-        visitor("Normal", value.Normal);
-        visitor("ImpactNormal", value.ImpactNormal);
-        visitor("TraceStart", value.TraceStart);
-        visitor("TraceEnd", value.TraceEnd);
-        visitor("PenetrationDepth", value.PenetrationDepth);
-        visitor("MyItem", value.MyItem);
-        visitor("Item", value.Item);
-        visitor("ElementIndex", value.ElementIndex);
-        visitor("bBlockingHit", value.bBlockingHit);
-        visitor("bStartPenetrating", value.bStartPenetrating);
-        visitor("HitObjectHandle", value.HitObjectHandle);
-        visitor("Component", value.Component);
-        visitor("BoneName", value.BoneName);
-        visitor("MyBoneName", value.MyBoneName);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("FaceIndex", values.FaceIndex...);
+        visitor("Time", values.Time...);
+        visitor("Distance", values.Distance...);
+        visitor("Location", values.Location...);
+        visitor("ImpactPoint", values.ImpactPoint...);
+        visitor("Normal", values.Normal...);
+        visitor("ImpactNormal", values.ImpactNormal...);
+        visitor("TraceStart", values.TraceStart...);
+        visitor("TraceEnd", values.TraceEnd...);
+        visitor("PenetrationDepth", values.PenetrationDepth...);
+        visitor("MyItem", values.MyItem...);
+        visitor("Item", values.Item...);
+        visitor("ElementIndex", values.ElementIndex...);
+        visitor("bBlockingHit", values.bBlockingHit...);
+        visitor("bStartPenetrating", values.bStartPenetrating...);
+        visitor("HitObjectHandle", values.HitObjectHandle...);
+        visitor("Component", values.Component...);
+        visitor("BoneName", values.BoneName...);
+        visitor("MyBoneName", values.MyBoneName...);
     }
     template <typename Base>
     using Path = spear::unreal::FHitResult_Path<Base>;

@@ -16,7 +16,7 @@ struct FInterpControlPoint {
     spear::Field<unreal::FVector> PositionControlPoint{};
     /// Whether the position is relative to where the component started, or absolute.
     spear::Field<bool> bPositionIsRelative{};
-    friend bool operator==(const FInterpControlPoint&, const FInterpControlPoint&) = default;
+    friend bool operator==(const FInterpControlPoint& a, const FInterpControlPoint& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FInterpControlPoint as property paths.
@@ -33,10 +33,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FInterpControlPoint> {
     static constexpr std::string_view name = "FInterpControlPoint";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("PositionControlPoint", value.PositionControlPoint);
-        visitor("bPositionIsRelative", value.bPositionIsRelative);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("PositionControlPoint", values.PositionControlPoint...);
+        visitor("bPositionIsRelative", values.bPositionIsRelative...);
     }
     template <typename Base>
     using Path = spear::unreal::FInterpControlPoint_Path<Base>;

@@ -21,7 +21,7 @@ struct FLatentActionInfo {
     spear::Field<std::string> ExecutionFunction{};
     /// Object to execute the function on.
     spear::ObjectField<UObject> CallbackTarget{};
-    friend bool operator==(const FLatentActionInfo&, const FLatentActionInfo&) = default;
+    friend bool operator==(const FLatentActionInfo& a, const FLatentActionInfo& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FLatentActionInfo as property paths.
@@ -40,12 +40,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FLatentActionInfo> {
     static constexpr std::string_view name = "FLatentActionInfo";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Linkage", value.Linkage);
-        visitor("UUID", value.UUID);
-        visitor("ExecutionFunction", value.ExecutionFunction);
-        visitor("CallbackTarget", value.CallbackTarget);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Linkage", values.Linkage...);
+        visitor("UUID", values.UUID...);
+        visitor("ExecutionFunction", values.ExecutionFunction...);
+        visitor("CallbackTarget", values.CallbackTarget...);
     }
     template <typename Base>
     using Path = spear::unreal::FLatentActionInfo_Path<Base>;

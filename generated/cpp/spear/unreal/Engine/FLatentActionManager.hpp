@@ -14,7 +14,7 @@ namespace spear::unreal {
 ///
 /// https://dev.epicgames.com/documentation/en-us/unreal-engine/API/Runtime/Engine/Engine/FLatentActionManager
 struct FLatentActionManager {
-    friend bool operator==(const FLatentActionManager&, const FLatentActionManager&) = default;
+    friend bool operator==(const FLatentActionManager& a, const FLatentActionManager& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FLatentActionManager as property paths.
@@ -29,8 +29,8 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FLatentActionManager> {
     static constexpr std::string_view name = "FLatentActionManager";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
     }
     template <typename Base>
     using Path = spear::unreal::FLatentActionManager_Path<Base>;

@@ -18,7 +18,7 @@ struct FLightingChannels {
     spear::Field<bool> bChannel1{};
     /// Second custom channel.
     spear::Field<bool> bChannel2{};
-    friend bool operator==(const FLightingChannels&, const FLightingChannels&) = default;
+    friend bool operator==(const FLightingChannels& a, const FLightingChannels& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FLightingChannels as property paths.
@@ -36,11 +36,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FLightingChannels> {
     static constexpr std::string_view name = "FLightingChannels";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("bChannel0", value.bChannel0);
-        visitor("bChannel1", value.bChannel1);
-        visitor("bChannel2", value.bChannel2);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("bChannel0", values.bChannel0...);
+        visitor("bChannel1", values.bChannel1...);
+        visitor("bChannel2", values.bChannel2...);
     }
     template <typename Base>
     using Path = spear::unreal::FLightingChannels_Path<Base>;

@@ -26,7 +26,7 @@ struct FMaterialInstanceBasePropertyOverrides {
     spear::Field<unreal::EBlendMode> BlendMode{};
     /// Opacity below which a masked surface has a hole.
     spear::Field<float> OpacityMaskClipValue{};
-    friend bool operator==(const FMaterialInstanceBasePropertyOverrides&, const FMaterialInstanceBasePropertyOverrides&) = default;
+    friend bool operator==(const FMaterialInstanceBasePropertyOverrides& a, const FMaterialInstanceBasePropertyOverrides& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FMaterialInstanceBasePropertyOverrides as property paths.
@@ -47,14 +47,14 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FMaterialInstanceBasePropertyOverrides> {
     static constexpr std::string_view name = "FMaterialInstanceBasePropertyOverrides";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("bOverride_OpacityMaskClipValue", value.bOverride_OpacityMaskClipValue);
-        visitor("bOverride_BlendMode", value.bOverride_BlendMode);
-        visitor("bOverride_TwoSided", value.bOverride_TwoSided);
-        visitor("TwoSided", value.TwoSided);
-        visitor("BlendMode", value.BlendMode);
-        visitor("OpacityMaskClipValue", value.OpacityMaskClipValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("bOverride_OpacityMaskClipValue", values.bOverride_OpacityMaskClipValue...);
+        visitor("bOverride_BlendMode", values.bOverride_BlendMode...);
+        visitor("bOverride_TwoSided", values.bOverride_TwoSided...);
+        visitor("TwoSided", values.TwoSided...);
+        visitor("BlendMode", values.BlendMode...);
+        visitor("OpacityMaskClipValue", values.OpacityMaskClipValue...);
     }
     template <typename Base>
     using Path = spear::unreal::FMaterialInstanceBasePropertyOverrides_Path<Base>;

@@ -21,7 +21,7 @@ struct FMaterialParameterInfo {
     spear::Field<unreal::EMaterialParameterAssociation> Association{};
     /// Layer or blend index, INDEX_NONE for a global parameter.
     spear::Field<std::int32_t> Index{};
-    friend bool operator==(const FMaterialParameterInfo&, const FMaterialParameterInfo&) = default;
+    friend bool operator==(const FMaterialParameterInfo& a, const FMaterialParameterInfo& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FMaterialParameterInfo as property paths.
@@ -39,11 +39,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FMaterialParameterInfo> {
     static constexpr std::string_view name = "FMaterialParameterInfo";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Name", value.Name);
-        visitor("Association", value.Association);
-        visitor("Index", value.Index);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Name", values.Name...);
+        visitor("Association", values.Association...);
+        visitor("Index", values.Index...);
     }
     template <typename Base>
     using Path = spear::unreal::FMaterialParameterInfo_Path<Base>;

@@ -36,7 +36,7 @@ struct FMinimalViewInfo {
     spear::Field<bool> bConstrainAspectRatio{};
     /// The type of camera.
     spear::Field<unreal::ECameraProjectionMode> ProjectionMode{};
-    friend bool operator==(const FMinimalViewInfo&, const FMinimalViewInfo&) = default;
+    friend bool operator==(const FMinimalViewInfo& a, const FMinimalViewInfo& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FMinimalViewInfo as property paths.
@@ -62,19 +62,19 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FMinimalViewInfo> {
     static constexpr std::string_view name = "FMinimalViewInfo";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Location", value.Location);
-        visitor("Rotation", value.Rotation);
-        visitor("FOV", value.FOV);
-        visitor("DesiredFOV", value.DesiredFOV);
-        visitor("OrthoWidth", value.OrthoWidth);
-        visitor("OrthoNearClipPlane", value.OrthoNearClipPlane);
-        visitor("OrthoFarClipPlane", value.OrthoFarClipPlane);
-        visitor("PerspectiveNearClipPlane", value.PerspectiveNearClipPlane);
-        visitor("AspectRatio", value.AspectRatio);
-        visitor("bConstrainAspectRatio", value.bConstrainAspectRatio);
-        visitor("ProjectionMode", value.ProjectionMode);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Location", values.Location...);
+        visitor("Rotation", values.Rotation...);
+        visitor("FOV", values.FOV...);
+        visitor("DesiredFOV", values.DesiredFOV...);
+        visitor("OrthoWidth", values.OrthoWidth...);
+        visitor("OrthoNearClipPlane", values.OrthoNearClipPlane...);
+        visitor("OrthoFarClipPlane", values.OrthoFarClipPlane...);
+        visitor("PerspectiveNearClipPlane", values.PerspectiveNearClipPlane...);
+        visitor("AspectRatio", values.AspectRatio...);
+        visitor("bConstrainAspectRatio", values.bConstrainAspectRatio...);
+        visitor("ProjectionMode", values.ProjectionMode...);
     }
     template <typename Base>
     using Path = spear::unreal::FMinimalViewInfo_Path<Base>;

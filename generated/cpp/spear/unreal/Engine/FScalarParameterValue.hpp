@@ -17,7 +17,7 @@ struct FScalarParameterValue {
     spear::Field<unreal::FMaterialParameterInfo> ParameterInfo{};
     /// Its value.
     spear::Field<float> ParameterValue{};
-    friend bool operator==(const FScalarParameterValue&, const FScalarParameterValue&) = default;
+    friend bool operator==(const FScalarParameterValue& a, const FScalarParameterValue& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FScalarParameterValue as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FScalarParameterValue> {
     static constexpr std::string_view name = "FScalarParameterValue";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ParameterInfo", value.ParameterInfo);
-        visitor("ParameterValue", value.ParameterValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ParameterInfo", values.ParameterInfo...);
+        visitor("ParameterValue", values.ParameterValue...);
     }
     template <typename Base>
     using Path = spear::unreal::FScalarParameterValue_Path<Base>;

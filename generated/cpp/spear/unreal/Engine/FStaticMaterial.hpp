@@ -17,7 +17,7 @@ struct FStaticMaterial {
     spear::ObjectField<UMaterialInterface> MaterialInterface{};
     /// Name by which the slot is found, see UStaticMesh::GetMaterialIndex.
     spear::Field<std::string> MaterialSlotName{};
-    friend bool operator==(const FStaticMaterial&, const FStaticMaterial&) = default;
+    friend bool operator==(const FStaticMaterial& a, const FStaticMaterial& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FStaticMaterial as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FStaticMaterial> {
     static constexpr std::string_view name = "FStaticMaterial";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("MaterialInterface", value.MaterialInterface);
-        visitor("MaterialSlotName", value.MaterialSlotName);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("MaterialInterface", values.MaterialInterface...);
+        visitor("MaterialSlotName", values.MaterialSlotName...);
     }
     template <typename Base>
     using Path = spear::unreal::FStaticMaterial_Path<Base>;

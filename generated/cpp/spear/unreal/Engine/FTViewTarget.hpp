@@ -21,7 +21,7 @@ struct FTViewTarget {
     spear::Field<unreal::FMinimalViewInfo> POV{};
     /// PlayerState (used to follow same player through pawn transitions, etc., when spectating).
     spear::ObjectField<APlayerState> PlayerState{};
-    friend bool operator==(const FTViewTarget&, const FTViewTarget&) = default;
+    friend bool operator==(const FTViewTarget& a, const FTViewTarget& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTViewTarget as property paths.
@@ -39,11 +39,11 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTViewTarget> {
     static constexpr std::string_view name = "FTViewTarget";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Target", value.Target);
-        visitor("POV", value.POV);
-        visitor("PlayerState", value.PlayerState);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Target", values.Target...);
+        visitor("POV", values.POV...);
+        visitor("PlayerState", values.PlayerState...);
     }
     template <typename Base>
     using Path = spear::unreal::FTViewTarget_Path<Base>;

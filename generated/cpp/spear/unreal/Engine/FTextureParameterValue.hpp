@@ -18,7 +18,7 @@ struct FTextureParameterValue {
     spear::Field<unreal::FMaterialParameterInfo> ParameterInfo{};
     /// Its value; null counts as white.
     spear::ObjectField<UTexture> ParameterValue{};
-    friend bool operator==(const FTextureParameterValue&, const FTextureParameterValue&) = default;
+    friend bool operator==(const FTextureParameterValue& a, const FTextureParameterValue& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTextureParameterValue as property paths.
@@ -35,10 +35,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTextureParameterValue> {
     static constexpr std::string_view name = "FTextureParameterValue";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ParameterInfo", value.ParameterInfo);
-        visitor("ParameterValue", value.ParameterValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ParameterInfo", values.ParameterInfo...);
+        visitor("ParameterValue", values.ParameterValue...);
     }
     template <typename Base>
     using Path = spear::unreal::FTextureParameterValue_Path<Base>;

@@ -16,7 +16,7 @@ namespace spear::unreal {
 struct FTimerHandle {
     /// Serial number of the timer; 0 is no timer.
     spear::Field<std::uint64_t> Handle{};
-    friend bool operator==(const FTimerHandle&, const FTimerHandle&) = default;
+    friend bool operator==(const FTimerHandle& a, const FTimerHandle& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FTimerHandle as property paths.
@@ -32,9 +32,9 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FTimerHandle> {
     static constexpr std::string_view name = "FTimerHandle";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Handle", value.Handle);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Handle", values.Handle...);
     }
     template <typename Base>
     using Path = spear::unreal::FTimerHandle_Path<Base>;

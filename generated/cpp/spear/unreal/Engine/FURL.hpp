@@ -29,7 +29,7 @@ struct FURL {
     spear::Field<std::vector<std::string>> Op{};
     /// Portal to enter through, default is "".
     spear::Field<std::string> Portal{};
-    friend bool operator==(const FURL&, const FURL&) = default;
+    friend bool operator==(const FURL& a, const FURL& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FURL as property paths.
@@ -52,16 +52,16 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FURL> {
     static constexpr std::string_view name = "FURL";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Protocol", value.Protocol);
-        visitor("Host", value.Host);
-        visitor("Port", value.Port);
-        visitor("Valid", value.Valid);
-        visitor("Map", value.Map);
-        visitor("RedirectURL", value.RedirectURL);
-        visitor("Op", value.Op);
-        visitor("Portal", value.Portal);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Protocol", values.Protocol...);
+        visitor("Host", values.Host...);
+        visitor("Port", values.Port...);
+        visitor("Valid", values.Valid...);
+        visitor("Map", values.Map...);
+        visitor("RedirectURL", values.RedirectURL...);
+        visitor("Op", values.Op...);
+        visitor("Portal", values.Portal...);
     }
     template <typename Base>
     using Path = spear::unreal::FURL_Path<Base>;

@@ -17,7 +17,7 @@ struct FVectorParameterValue {
     spear::Field<unreal::FMaterialParameterInfo> ParameterInfo{};
     /// Its value; colours are linear.
     spear::Field<unreal::FLinearColor> ParameterValue{};
-    friend bool operator==(const FVectorParameterValue&, const FVectorParameterValue&) = default;
+    friend bool operator==(const FVectorParameterValue& a, const FVectorParameterValue& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FVectorParameterValue as property paths.
@@ -34,10 +34,10 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FVectorParameterValue> {
     static constexpr std::string_view name = "FVectorParameterValue";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ParameterInfo", value.ParameterInfo);
-        visitor("ParameterValue", value.ParameterValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ParameterInfo", values.ParameterInfo...);
+        visitor("ParameterValue", values.ParameterValue...);
     }
     template <typename Base>
     using Path = spear::unreal::FVectorParameterValue_Path<Base>;

@@ -21,7 +21,7 @@ struct FViewTargetTransitionParams {
     spear::Field<float> BlendExp{};
     /// If true, lock outgoing viewtarget to last frame's camera POV for the remainder of the blend.
     spear::Field<bool> bLockOutgoing{};
-    friend bool operator==(const FViewTargetTransitionParams&, const FViewTargetTransitionParams&) = default;
+    friend bool operator==(const FViewTargetTransitionParams& a, const FViewTargetTransitionParams& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FViewTargetTransitionParams as property paths.
@@ -40,12 +40,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FViewTargetTransitionParams> {
     static constexpr std::string_view name = "FViewTargetTransitionParams";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("BlendTime", value.BlendTime);
-        visitor("BlendFunction", value.BlendFunction);
-        visitor("BlendExp", value.BlendExp);
-        visitor("bLockOutgoing", value.bLockOutgoing);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("BlendTime", values.BlendTime...);
+        visitor("BlendFunction", values.BlendFunction...);
+        visitor("BlendExp", values.BlendExp...);
+        visitor("bLockOutgoing", values.bLockOutgoing...);
     }
     template <typename Base>
     using Path = spear::unreal::FViewTargetTransitionParams_Path<Base>;

@@ -26,7 +26,7 @@ struct FWorldContext {
     /// The game instance that owns this context.
     spear::ObjectField<UGameInstance> OwningGameInstance{};
     spear::ObjectField<UWorld> ThisCurrentWorld{};
-    friend bool operator==(const FWorldContext&, const FWorldContext&) = default;
+    friend bool operator==(const FWorldContext& a, const FWorldContext& b) { return spear::equal_members(a, b); }
 };
 
 /// The members of FWorldContext as property paths.
@@ -45,12 +45,12 @@ public:
 template <>
 struct spear::StructTraits<spear::unreal::FWorldContext> {
     static constexpr std::string_view name = "FWorldContext";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("LastURL", value.LastURL);
-        visitor("GameViewport", value.GameViewport);
-        visitor("OwningGameInstance", value.OwningGameInstance);
-        visitor("ThisCurrentWorld", value.ThisCurrentWorld);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("LastURL", values.LastURL...);
+        visitor("GameViewport", values.GameViewport...);
+        visitor("OwningGameInstance", values.OwningGameInstance...);
+        visitor("ThisCurrentWorld", values.ThisCurrentWorld...);
     }
     template <typename Base>
     using Path = spear::unreal::FWorldContext_Path<Base>;

@@ -136,9 +136,9 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UCameraComponent_GetCameraView_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetCameraView_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("DesiredView", value.DesiredView);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("DesiredView", values.DesiredView...);
     }
 };
 

@@ -118,20 +118,20 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UCapsuleComponent_GetScaledCapsuleSize_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetScaledCapsuleSize_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutRadius", value.OutRadius);
-        visitor("OutHalfHeight", value.OutHalfHeight);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutRadius", values.OutRadius...);
+        visitor("OutHalfHeight", values.OutHalfHeight...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UCapsuleComponent_GetUnscaledCapsuleSize_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetUnscaledCapsuleSize_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutRadius", value.OutRadius);
-        visitor("OutHalfHeight", value.OutHalfHeight);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutRadius", values.OutRadius...);
+        visitor("OutHalfHeight", values.OutHalfHeight...);
     }
 };
 

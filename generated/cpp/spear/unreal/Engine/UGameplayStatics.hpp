@@ -344,90 +344,90 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_FindNearestActor_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "FindNearestActor_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("Distance", value.Distance);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("Distance", values.Distance...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetAccurateRealTime_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAccurateRealTime_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Seconds", value.Seconds);
-        visitor("PartialSeconds", value.PartialSeconds);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Seconds", values.Seconds...);
+        visitor("PartialSeconds", values.PartialSeconds...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetActorArrayBounds_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetActorArrayBounds_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Center", value.Center);
-        visitor("BoxExtent", value.BoxExtent);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Center", values.Center...);
+        visitor("BoxExtent", values.BoxExtent...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetAllActorsOfClass_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAllActorsOfClass_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActors", value.OutActors);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActors", values.OutActors...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetAllActorsOfClassWithTag_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAllActorsOfClassWithTag_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActors", value.OutActors);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActors", values.OutActors...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetAllActorsWithInterface_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAllActorsWithInterface_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActors", value.OutActors);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActors", values.OutActors...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetAllActorsWithTag_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAllActorsWithTag_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActors", value.OutActors);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActors", values.OutActors...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_GetKeyValue_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetKeyValue_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Key", value.Key);
-        visitor("Value", value.Value);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Key", values.Key...);
+        visitor("Value", values.Value...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UGameplayStatics_BeginDeferredActorSpawnFromClass_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ActorClass", value.ActorClass);
-        visitor("SpawnTransform", value.SpawnTransform);
-        visitor("CollisionHandlingOverride", value.CollisionHandlingOverride);
-        visitor("Owner", value.Owner);
-        visitor("TransformScaleMethod", value.TransformScaleMethod);
-        visitor("WorldContextObject", value.WorldContextObject);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ActorClass", values.ActorClass...);
+        visitor("SpawnTransform", values.SpawnTransform...);
+        visitor("CollisionHandlingOverride", values.CollisionHandlingOverride...);
+        visitor("Owner", values.Owner...);
+        visitor("TransformScaleMethod", values.TransformScaleMethod...);
+        visitor("WorldContextObject", values.WorldContextObject...);
     }
 };
 

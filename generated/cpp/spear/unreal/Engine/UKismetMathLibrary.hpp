@@ -3041,249 +3041,249 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakColor_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakColor_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("R", value.R);
-        visitor("G", value.G);
-        visitor("B", value.B);
-        visitor("A", value.A);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("R", values.R...);
+        visitor("G", values.G...);
+        visitor("B", values.B...);
+        visitor("A", values.A...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakDateTime_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakDateTime_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Year", value.Year);
-        visitor("Month", value.Month);
-        visitor("Day", value.Day);
-        visitor("Hour", value.Hour);
-        visitor("Minute", value.Minute);
-        visitor("Second", value.Second);
-        visitor("Millisecond", value.Millisecond);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Year", values.Year...);
+        visitor("Month", values.Month...);
+        visitor("Day", values.Day...);
+        visitor("Hour", values.Hour...);
+        visitor("Minute", values.Minute...);
+        visitor("Second", values.Second...);
+        visitor("Millisecond", values.Millisecond...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakRandomStream_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakRandomStream_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("InitialSeed", value.InitialSeed);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("InitialSeed", values.InitialSeed...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakRotIntoAxes_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakRotIntoAxes_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakRotator_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakRotator_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Roll", value.Roll);
-        visitor("Pitch", value.Pitch);
-        visitor("Yaw", value.Yaw);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Roll", values.Roll...);
+        visitor("Pitch", values.Pitch...);
+        visitor("Yaw", values.Yaw...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakTimespan_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakTimespan_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Days", value.Days);
-        visitor("Hours", value.Hours);
-        visitor("Minutes", value.Minutes);
-        visitor("Seconds", value.Seconds);
-        visitor("Milliseconds", value.Milliseconds);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Days", values.Days...);
+        visitor("Hours", values.Hours...);
+        visitor("Minutes", values.Minutes...);
+        visitor("Seconds", values.Seconds...);
+        visitor("Milliseconds", values.Milliseconds...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Location", value.Location);
-        visitor("Rotation", value.Rotation);
-        visitor("Scale", value.Scale);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Location", values.Location...);
+        visitor("Rotation", values.Rotation...);
+        visitor("Scale", values.Scale...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakVector_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakVector_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
-        visitor("Z", value.Z);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
+        visitor("Z", values.Z...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_BreakVector2D_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakVector2D_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("X", value.X);
-        visitor("Y", value.Y);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("X", values.X...);
+        visitor("Y", values.Y...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_FMod_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "FMod_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("Remainder", value.Remainder);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("Remainder", values.Remainder...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_GetAzimuthAndElevation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetAzimuthAndElevation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Azimuth", value.Azimuth);
-        visitor("Elevation", value.Elevation);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Azimuth", values.Azimuth...);
+        visitor("Elevation", values.Elevation...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_GetYawPitchFromVector_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetYawPitchFromVector_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Yaw", value.Yaw);
-        visitor("Pitch", value.Pitch);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Yaw", values.Yaw...);
+        visitor("Pitch", values.Pitch...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_MaxOfFloatArray_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "MaxOfFloatArray_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("IndexOfMaxValue", value.IndexOfMaxValue);
-        visitor("MaxValue", value.MaxValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("IndexOfMaxValue", values.IndexOfMaxValue...);
+        visitor("MaxValue", values.MaxValue...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_MaxOfIntArray_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "MaxOfIntArray_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("IndexOfMaxValue", value.IndexOfMaxValue);
-        visitor("MaxValue", value.MaxValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("IndexOfMaxValue", values.IndexOfMaxValue...);
+        visitor("MaxValue", values.MaxValue...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_MinOfFloatArray_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "MinOfFloatArray_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("IndexOfMinValue", value.IndexOfMinValue);
-        visitor("MinValue", value.MinValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("IndexOfMinValue", values.IndexOfMinValue...);
+        visitor("MinValue", values.MinValue...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_MinOfIntArray_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "MinOfIntArray_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("IndexOfMinValue", value.IndexOfMinValue);
-        visitor("MinValue", value.MinValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("IndexOfMinValue", values.IndexOfMinValue...);
+        visitor("MinValue", values.MinValue...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_RGBToHSV_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "RGBToHSV_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("H", value.H);
-        visitor("S", value.S);
-        visitor("V", value.V);
-        visitor("A", value.A);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("H", values.H...);
+        visitor("S", values.S...);
+        visitor("V", values.V...);
+        visitor("A", values.A...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_SeedRandomStream_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "SeedRandomStream_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Stream", value.Stream);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Stream", values.Stream...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_SetRandomStreamSeed_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "SetRandomStreamSeed_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Stream", value.Stream);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Stream", values.Stream...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_Vector_Assign_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Vector_Assign_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("A", value.A);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("A", values.A...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_Vector_Set_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Vector_Set_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("A", value.A);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("A", values.A...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_MakeDateTime_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Year", value.Year);
-        visitor("Month", value.Month);
-        visitor("Day", value.Day);
-        visitor("Hour", value.Hour);
-        visitor("Minute", value.Minute);
-        visitor("Second", value.Second);
-        visitor("Millisecond", value.Millisecond);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Year", values.Year...);
+        visitor("Month", values.Month...);
+        visitor("Day", values.Day...);
+        visitor("Hour", values.Hour...);
+        visitor("Minute", values.Minute...);
+        visitor("Second", values.Second...);
+        visitor("Millisecond", values.Millisecond...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetMathLibrary_NearlyEqual_TransformTransform_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("A", value.A);
-        visitor("B", value.B);
-        visitor("LocationTolerance", value.LocationTolerance);
-        visitor("RotationTolerance", value.RotationTolerance);
-        visitor("Scale3DTolerance", value.Scale3DTolerance);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("A", values.A...);
+        visitor("B", values.B...);
+        visitor("LocationTolerance", values.LocationTolerance...);
+        visitor("RotationTolerance", values.RotationTolerance...);
+        visitor("Scale3DTolerance", values.Scale3DTolerance...);
     }
 };
 

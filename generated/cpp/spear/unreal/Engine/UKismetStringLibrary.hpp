@@ -472,64 +472,64 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_Conv_StringToColor_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Conv_StringToColor_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutConvertedColor", value.OutConvertedColor);
-        visitor("OutIsValid", value.OutIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutConvertedColor", values.OutConvertedColor...);
+        visitor("OutIsValid", values.OutIsValid...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_Conv_StringToRotator_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Conv_StringToRotator_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutConvertedRotator", value.OutConvertedRotator);
-        visitor("OutIsValid", value.OutIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutConvertedRotator", values.OutConvertedRotator...);
+        visitor("OutIsValid", values.OutIsValid...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_Conv_StringToVector_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Conv_StringToVector_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutConvertedVector", value.OutConvertedVector);
-        visitor("OutIsValid", value.OutIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutConvertedVector", values.OutConvertedVector...);
+        visitor("OutIsValid", values.OutIsValid...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_Conv_StringToVector2D_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Conv_StringToVector2D_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutConvertedVector2D", value.OutConvertedVector2D);
-        visitor("OutIsValid", value.OutIsValid);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutConvertedVector2D", values.OutConvertedVector2D...);
+        visitor("OutIsValid", values.OutIsValid...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_Split_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "Split_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("LeftS", value.LeftS);
-        visitor("RightS", value.RightS);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("LeftS", values.LeftS...);
+        visitor("RightS", values.RightS...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetStringLibrary_FindSubstring_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SearchIn", value.SearchIn);
-        visitor("Substring", value.Substring);
-        visitor("bUseCase", value.bUseCase);
-        visitor("bSearchFromEnd", value.bSearchFromEnd);
-        visitor("StartPosition", value.StartPosition);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SearchIn", values.SearchIn...);
+        visitor("Substring", values.Substring...);
+        visitor("bUseCase", values.bUseCase...);
+        visitor("bSearchFromEnd", values.bSearchFromEnd...);
+        visitor("StartPosition", values.StartPosition...);
     }
 };
 

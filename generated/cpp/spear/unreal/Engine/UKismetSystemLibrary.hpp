@@ -709,117 +709,117 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_BreakSoftObjectPath_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "BreakSoftObjectPath_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("PathString", value.PathString);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("PathString", values.PathString...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_GetActorListFromComponentList_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetActorListFromComponentList_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("OutActorList", value.OutActorList);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("OutActorList", values.OutActorList...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_GetComponentBounds_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetComponentBounds_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Origin", value.Origin);
-        visitor("BoxExtent", value.BoxExtent);
-        visitor("SphereRadius", value.SphereRadius);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Origin", values.Origin...);
+        visitor("BoxExtent", values.BoxExtent...);
+        visitor("SphereRadius", values.SphereRadius...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_K2_ClearAndInvalidateTimerHandle_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_ClearAndInvalidateTimerHandle_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Handle", value.Handle);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Handle", values.Handle...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_K2_InvalidateTimerHandle_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_InvalidateTimerHandle_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("Handle", value.Handle);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("Handle", values.Handle...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_ParseParamValue_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "ParseParamValue_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("OutValue", value.OutValue);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("OutValue", values.OutValue...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_K2_SetTimer_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Object", value.Object);
-        visitor("FunctionName", value.FunctionName);
-        visitor("Time", value.Time);
-        visitor("bLooping", value.bLooping);
-        visitor("bMaxOncePerFrame", value.bMaxOncePerFrame);
-        visitor("InitialStartDelay", value.InitialStartDelay);
-        visitor("InitialStartDelayVariance", value.InitialStartDelayVariance);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Object", values.Object...);
+        visitor("FunctionName", values.FunctionName...);
+        visitor("Time", values.Time...);
+        visitor("bLooping", values.bLooping...);
+        visitor("bMaxOncePerFrame", values.bMaxOncePerFrame...);
+        visitor("InitialStartDelay", values.InitialStartDelay...);
+        visitor("InitialStartDelayVariance", values.InitialStartDelayVariance...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_K2_SetTimerDelegate_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Delegate", value.Delegate);
-        visitor("Time", value.Time);
-        visitor("bLooping", value.bLooping);
-        visitor("bMaxOncePerFrame", value.bMaxOncePerFrame);
-        visitor("InitialStartDelay", value.InitialStartDelay);
-        visitor("InitialStartDelayVariance", value.InitialStartDelayVariance);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Delegate", values.Delegate...);
+        visitor("Time", values.Time...);
+        visitor("bLooping", values.bLooping...);
+        visitor("bMaxOncePerFrame", values.bMaxOncePerFrame...);
+        visitor("InitialStartDelay", values.InitialStartDelay...);
+        visitor("InitialStartDelayVariance", values.InitialStartDelayVariance...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_PrintString_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("InString", value.InString);
-        visitor("bPrintToScreen", value.bPrintToScreen);
-        visitor("bPrintToLog", value.bPrintToLog);
-        visitor("TextColor", value.TextColor);
-        visitor("Duration", value.Duration);
-        visitor("Key", value.Key);
-        visitor("WorldContextObject", value.WorldContextObject);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("InString", values.InString...);
+        visitor("bPrintToScreen", values.bPrintToScreen...);
+        visitor("bPrintToLog", values.bPrintToLog...);
+        visitor("TextColor", values.TextColor...);
+        visitor("Duration", values.Duration...);
+        visitor("Key", values.Key...);
+        visitor("WorldContextObject", values.WorldContextObject...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UKismetSystemLibrary_PrintText_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("InText", value.InText);
-        visitor("bPrintToScreen", value.bPrintToScreen);
-        visitor("bPrintToLog", value.bPrintToLog);
-        visitor("TextColor", value.TextColor);
-        visitor("Duration", value.Duration);
-        visitor("Key", value.Key);
-        visitor("WorldContextObject", value.WorldContextObject);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("InText", values.InText...);
+        visitor("bPrintToScreen", values.bPrintToScreen...);
+        visitor("bPrintToLog", values.bPrintToLog...);
+        visitor("TextColor", values.TextColor...);
+        visitor("Duration", values.Duration...);
+        visitor("Key", values.Key...);
+        visitor("WorldContextObject", values.WorldContextObject...);
     }
 };
 

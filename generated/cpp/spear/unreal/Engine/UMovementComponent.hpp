@@ -181,10 +181,10 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UMovementComponent_K2_MoveUpdatedComponent_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_MoveUpdatedComponent_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("ReturnValue", value.ReturnValue);
-        visitor("OutHit", value.OutHit);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("ReturnValue", values.ReturnValue...);
+        visitor("OutHit", values.OutHit...);
     }
 };
 

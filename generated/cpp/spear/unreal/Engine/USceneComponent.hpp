@@ -556,194 +556,194 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_GetChildrenComponents_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetChildrenComponents_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Children", value.Children);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Children", values.Children...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_GetParentComponents_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetParentComponents_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Parents", value.Parents);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Parents", values.Parents...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddLocalOffset_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddLocalOffset_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddLocalRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddLocalRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddLocalTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddLocalTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddRelativeLocation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddRelativeLocation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddRelativeRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddRelativeRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddWorldOffset_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddWorldOffset_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddWorldRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddWorldRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddWorldTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddWorldTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_AddWorldTransformKeepScale_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_AddWorldTransformKeepScale_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetRelativeLocation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetRelativeLocation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetRelativeLocationAndRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetRelativeLocationAndRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetRelativeRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetRelativeRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetRelativeTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetRelativeTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetWorldLocation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetWorldLocation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetWorldLocationAndRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetWorldLocationAndRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetWorldRotation_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetWorldRotation_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_SetWorldTransform_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "K2_SetWorldTransform_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("SweepHitResult", value.SweepHitResult);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("SweepHitResult", values.SweepHitResult...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_K2_DetachFromComponent_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("LocationRule", value.LocationRule);
-        visitor("RotationRule", value.RotationRule);
-        visitor("ScaleRule", value.ScaleRule);
-        visitor("bCallModify", value.bCallModify);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("LocationRule", values.LocationRule...);
+        visitor("RotationRule", values.RotationRule...);
+        visitor("ScaleRule", values.ScaleRule...);
+        visitor("bCallModify", values.bCallModify...);
     }
 };
 
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::USceneComponent_SetAbsolute_ArgumentsT<SpearLazy>> {
     static constexpr std::string_view name = "";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("bNewAbsoluteLocation", value.bNewAbsoluteLocation);
-        visitor("bNewAbsoluteRotation", value.bNewAbsoluteRotation);
-        visitor("bNewAbsoluteScale", value.bNewAbsoluteScale);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("bNewAbsoluteLocation", values.bNewAbsoluteLocation...);
+        visitor("bNewAbsoluteRotation", values.bNewAbsoluteRotation...);
+        visitor("bNewAbsoluteScale", values.bNewAbsoluteScale...);
     }
 };
 

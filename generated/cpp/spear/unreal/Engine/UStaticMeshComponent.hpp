@@ -60,10 +60,10 @@ public:
 template <typename SpearLazy>
 struct spear::StructTraits<spear::unreal::UStaticMeshComponent_GetLocalBounds_ResultT<SpearLazy>> {
     static constexpr std::string_view name = "GetLocalBounds_Result";
-    template <typename S, typename F>
-    static void visit([[maybe_unused]] S& value, [[maybe_unused]] F&& visitor) {
-        visitor("Min", value.Min);
-        visitor("Max", value.Max);
+    template <typename F, typename... S>
+    static void visit([[maybe_unused]] F&& visitor, [[maybe_unused]] S&... values) {
+        visitor("Min", values.Min...);
+        visitor("Max", values.Max...);
     }
 };
 

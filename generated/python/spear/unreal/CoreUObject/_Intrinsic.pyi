@@ -1,7 +1,7 @@
 # generated, do not edit (CoreUObject: Intrinsic.h)
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, StructPath
+from spear.typing import AsyncObjectPath, AsyncStrProperty, AsyncValuePath, Future, ObjectPath, Property, StrProperty, StructPath
 from ._NoExportTypes import UObject, UObject_async, UObject_async_path, UObject_members, UObject_path, UObject_send
 
 class FScriptDelegate(Struct):
@@ -27,13 +27,13 @@ class FScriptDelegate_path(StructPath[FScriptDelegate, FScriptDelegate_in, FScri
     """A variable of type FScriptDelegate: its path."""
     Object: Property[UObject_path, UObject | Future[UObject] | None]
     """The object that is called; None if nothing is bound."""
-    FunctionName: Property[Path[str], str | Future[str]]
+    FunctionName: StrProperty
     """The function of it."""
 
 class FScriptDelegate_async(AsyncValuePath[FScriptDelegate, FScriptDelegate_in]):
     """The same under ``async_``."""
     Object: Property[UObject_async_path, UObject | Future[UObject] | None]
-    FunctionName: Property[AsyncPath[str], str | Future[str]]
+    FunctionName: AsyncStrProperty
 
 class UClass_members(UStruct_members):
     """Functions and variables of UClass."""

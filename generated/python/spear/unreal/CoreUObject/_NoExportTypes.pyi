@@ -2,7 +2,10 @@
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, Numbers, ObjectPath, Path, Property, StructPath
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncObjectPath, AsyncStrProperty, AsyncValuePath, BoolProperty, FloatProperty, Future,
+    IntProperty, Numbers, ObjectPath, Property, StrProperty, StructPath,
+)
 from spear.unreal_object import AsyncBase, ObjectBase, SendBase
 
 class ESearchCase(UnrealEnum):
@@ -53,18 +56,18 @@ FVector_in: TypeAlias = FVector | FVector_dict | Future[FVector] | Numbers
 
 class FVector_members:
     """The fields of FVector, as paths."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
 
 class FVector_async_members:
     """The fields of FVector, as paths under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
 
 class FVector_path(StructPath[FVector, FVector_in, FVector_async], FVector_members):
     """A variable of type FVector: its path."""
@@ -96,18 +99,18 @@ FVector3f_in: TypeAlias = FVector3f | FVector3f_dict | Future[FVector3f] | Numbe
 
 class FVector3f_members:
     """The fields of FVector3f, as paths."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
 
 class FVector3f_async_members:
     """The fields of FVector3f, as paths under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
 
 class FVector3f_path(StructPath[FVector3f, FVector3f_in, FVector3f_async], FVector3f_members):
     """A variable of type FVector3f: its path."""
@@ -127,15 +130,15 @@ FVector2D_in: TypeAlias = FVector2D | FVector2D_dict | Future[FVector2D] | Numbe
 
 class FVector2D_path(StructPath[FVector2D, FVector2D_in, FVector2D_async]):
     """A variable of type FVector2D: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
 
 class FVector2D_async(AsyncValuePath[FVector2D, FVector2D_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
 
 class FVector2f(Struct):
     """A point or direction in 2D space (single precision).
@@ -158,15 +161,15 @@ FVector2f_in: TypeAlias = FVector2f | FVector2f_dict | Future[FVector2f] | Numbe
 
 class FVector2f_path(StructPath[FVector2f, FVector2f_in, FVector2f_async]):
     """A variable of type FVector2f: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
 
 class FVector2f_async(AsyncValuePath[FVector2f, FVector2f_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
 
 from spear.structs import FVector4 as FVector4
 
@@ -182,21 +185,21 @@ FVector4_in: TypeAlias = FVector4 | FVector4_dict | Future[FVector4] | Numbers
 
 class FVector4_path(StructPath[FVector4, FVector4_in, FVector4_async]):
     """A variable of type FVector4: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """W component."""
 
 class FVector4_async(AsyncValuePath[FVector4, FVector4_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
-    W: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
+    W: AsyncFloatProperty
 
 class FVector4f(Struct):
     """A 4D homogeneous vector (single precision).
@@ -225,21 +228,21 @@ FVector4f_in: TypeAlias = FVector4f | FVector4f_dict | Future[FVector4f] | Numbe
 
 class FVector4f_path(StructPath[FVector4f, FVector4f_in, FVector4f_async]):
     """A variable of type FVector4f: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """W component."""
 
 class FVector4f_async(AsyncValuePath[FVector4f, FVector4f_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
-    W: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
+    W: AsyncFloatProperty
 
 class FPlane(FVector):
     """A plane in 3D space: points with X*Px + Y*Py + Z*Pz = W.
@@ -259,12 +262,12 @@ FPlane_in: TypeAlias = FPlane | FPlane_dict | Future[FPlane] | Numbers
 
 class FPlane_members(FVector_members):
     """The fields of FPlane, as paths."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """Distance along the normal."""
 
 class FPlane_async_members(FVector_async_members):
     """The fields of FPlane, as paths under ``async_``."""
-    W: Property[AsyncPath[float], float | Future[float]]
+    W: AsyncFloatProperty
 
 class FPlane_path(StructPath[FPlane, FPlane_in, FPlane_async], FPlane_members):
     """A variable of type FPlane: its path."""
@@ -290,12 +293,12 @@ FPlane4f_in: TypeAlias = FPlane4f | FPlane4f_dict | Future[FPlane4f] | Numbers
 
 class FPlane4f_members(FVector3f_members):
     """The fields of FPlane4f, as paths."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """Distance along the normal."""
 
 class FPlane4f_async_members(FVector3f_async_members):
     """The fields of FPlane4f, as paths under ``async_``."""
-    W: Property[AsyncPath[float], float | Future[float]]
+    W: AsyncFloatProperty
 
 class FPlane4f_path(StructPath[FPlane4f, FPlane4f_in, FPlane4f_async], FPlane4f_members):
     """A variable of type FPlane4f: its path."""
@@ -316,18 +319,18 @@ FRotator_in: TypeAlias = FRotator | FRotator_dict | Future[FRotator] | Numbers
 
 class FRotator_path(StructPath[FRotator, FRotator_in, FRotator_async]):
     """A variable of type FRotator: its path."""
-    Pitch: Property[Path[float], float | Future[float]]
+    Pitch: FloatProperty
     """Rotation around the right axis (Y), looking up and down (0 = straight ahead, + = up)."""
-    Yaw: Property[Path[float], float | Future[float]]
+    Yaw: FloatProperty
     """Rotation around the up axis (Z), turning around (0 = forward, + = right)."""
-    Roll: Property[Path[float], float | Future[float]]
+    Roll: FloatProperty
     """Rotation around the forward axis (X), tilting the head (0 = straight, + = clockwise)."""
 
 class FRotator_async(AsyncValuePath[FRotator, FRotator_in]):
     """The same under ``async_``."""
-    Pitch: Property[AsyncPath[float], float | Future[float]]
-    Yaw: Property[AsyncPath[float], float | Future[float]]
-    Roll: Property[AsyncPath[float], float | Future[float]]
+    Pitch: AsyncFloatProperty
+    Yaw: AsyncFloatProperty
+    Roll: AsyncFloatProperty
 
 class FRotator3f(Struct):
     """A rotation in degrees.
@@ -353,18 +356,18 @@ FRotator3f_in: TypeAlias = FRotator3f | FRotator3f_dict | Future[FRotator3f] | N
 
 class FRotator3f_path(StructPath[FRotator3f, FRotator3f_in, FRotator3f_async]):
     """A variable of type FRotator3f: its path."""
-    Pitch: Property[Path[float], float | Future[float]]
+    Pitch: FloatProperty
     """Rotation around the right axis (Y), looking up and down (0 = straight ahead, + = up)."""
-    Yaw: Property[Path[float], float | Future[float]]
+    Yaw: FloatProperty
     """Rotation around the up axis (Z), turning around (0 = forward, + = right)."""
-    Roll: Property[Path[float], float | Future[float]]
+    Roll: FloatProperty
     """Rotation around the forward axis (X), tilting the head (0 = straight, + = clockwise)."""
 
 class FRotator3f_async(AsyncValuePath[FRotator3f, FRotator3f_in]):
     """The same under ``async_``."""
-    Pitch: Property[AsyncPath[float], float | Future[float]]
-    Yaw: Property[AsyncPath[float], float | Future[float]]
-    Roll: Property[AsyncPath[float], float | Future[float]]
+    Pitch: AsyncFloatProperty
+    Yaw: AsyncFloatProperty
+    Roll: AsyncFloatProperty
 
 from spear.structs import FQuat as FQuat
 
@@ -380,21 +383,21 @@ FQuat_in: TypeAlias = FQuat | FQuat_dict | Future[FQuat] | Numbers
 
 class FQuat_path(StructPath[FQuat, FQuat_in, FQuat_async]):
     """A variable of type FQuat: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """W component."""
 
 class FQuat_async(AsyncValuePath[FQuat, FQuat_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
-    W: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
+    W: AsyncFloatProperty
 
 class FQuat4f(Struct):
     """A rotation as a quaternion (single precision).
@@ -423,21 +426,21 @@ FQuat4f_in: TypeAlias = FQuat4f | FQuat4f_dict | Future[FQuat4f] | Numbers
 
 class FQuat4f_path(StructPath[FQuat4f, FQuat4f_in, FQuat4f_async]):
     """A variable of type FQuat4f: its path."""
-    X: Property[Path[float], float | Future[float]]
+    X: FloatProperty
     """X component."""
-    Y: Property[Path[float], float | Future[float]]
+    Y: FloatProperty
     """Y component."""
-    Z: Property[Path[float], float | Future[float]]
+    Z: FloatProperty
     """Z component."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """W component."""
 
 class FQuat4f_async(AsyncValuePath[FQuat4f, FQuat4f_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[float], float | Future[float]]
-    Y: Property[AsyncPath[float], float | Future[float]]
-    Z: Property[AsyncPath[float], float | Future[float]]
-    W: Property[AsyncPath[float], float | Future[float]]
+    X: AsyncFloatProperty
+    Y: AsyncFloatProperty
+    Z: AsyncFloatProperty
+    W: AsyncFloatProperty
 
 from spear.structs import FTransform as FTransform
 
@@ -616,14 +619,14 @@ class FBox_path(StructPath[FBox, FBox_in, FBox_async]):
     """Smallest corner."""
     Max: Property[FVector_path, FVector_in]
     """Largest corner."""
-    IsValid: Property[Path[int], int | Future[int]]
+    IsValid: IntProperty
     """1 if the box holds a point."""
 
 class FBox_async(AsyncValuePath[FBox, FBox_in]):
     """The same under ``async_``."""
     Min: Property[FVector_async, FVector_in]
     Max: Property[FVector_async, FVector_in]
-    IsValid: Property[AsyncPath[int], int | Future[int]]
+    IsValid: AsyncIntProperty
 
 class FBox3f(Struct):
     """An axis-aligned box.
@@ -653,14 +656,14 @@ class FBox3f_path(StructPath[FBox3f, FBox3f_in, FBox3f_async]):
     """Smallest corner."""
     Max: Property[FVector3f_path, FVector3f_in]
     """Largest corner."""
-    IsValid: Property[Path[int], int | Future[int]]
+    IsValid: IntProperty
     """1 if the box holds a point."""
 
 class FBox3f_async(AsyncValuePath[FBox3f, FBox3f_in]):
     """The same under ``async_``."""
     Min: Property[FVector3f_async, FVector3f_in]
     Max: Property[FVector3f_async, FVector3f_in]
-    IsValid: Property[AsyncPath[int], int | Future[int]]
+    IsValid: AsyncIntProperty
 
 class FBox2D(Struct):
     """An axis-aligned rectangle.
@@ -690,14 +693,14 @@ class FBox2D_path(StructPath[FBox2D, FBox2D_in, FBox2D_async]):
     """Smallest corner."""
     Max: Property[FVector2D_path, FVector2D_in]
     """Largest corner."""
-    bIsValid: Property[Path[bool], bool | Future[bool]]
+    bIsValid: BoolProperty
     """True if the rectangle holds a point."""
 
 class FBox2D_async(AsyncValuePath[FBox2D, FBox2D_in]):
     """The same under ``async_``."""
     Min: Property[FVector2D_async, FVector2D_in]
     Max: Property[FVector2D_async, FVector2D_in]
-    bIsValid: Property[AsyncPath[bool], bool | Future[bool]]
+    bIsValid: AsyncBoolProperty
 
 class FBox2f(Struct):
     """An axis-aligned rectangle.
@@ -727,14 +730,14 @@ class FBox2f_path(StructPath[FBox2f, FBox2f_in, FBox2f_async]):
     """Smallest corner."""
     Max: Property[FVector2f_path, FVector2f_in]
     """Largest corner."""
-    bIsValid: Property[Path[bool], bool | Future[bool]]
+    bIsValid: BoolProperty
     """True if the rectangle holds a point."""
 
 class FBox2f_async(AsyncValuePath[FBox2f, FBox2f_in]):
     """The same under ``async_``."""
     Min: Property[FVector2f_async, FVector2f_in]
     Max: Property[FVector2f_async, FVector2f_in]
-    bIsValid: Property[AsyncPath[bool], bool | Future[bool]]
+    bIsValid: AsyncBoolProperty
 
 class FBoxSphereBounds(Struct):
     """A box and a sphere about the same origin.
@@ -764,14 +767,14 @@ class FBoxSphereBounds_path(StructPath[FBoxSphereBounds, FBoxSphereBounds_in, FB
     """Centre of both."""
     BoxExtent: Property[FVector_path, FVector_in]
     """Half size of the box."""
-    SphereRadius: Property[Path[float], float | Future[float]]
+    SphereRadius: FloatProperty
     """Radius of the sphere."""
 
 class FBoxSphereBounds_async(AsyncValuePath[FBoxSphereBounds, FBoxSphereBounds_in]):
     """The same under ``async_``."""
     Origin: Property[FVector_async, FVector_in]
     BoxExtent: Property[FVector_async, FVector_in]
-    SphereRadius: Property[AsyncPath[float], float | Future[float]]
+    SphereRadius: AsyncFloatProperty
 
 class FBoxSphereBounds3f(Struct):
     """A box and a sphere about the same origin.
@@ -801,14 +804,14 @@ class FBoxSphereBounds3f_path(StructPath[FBoxSphereBounds3f, FBoxSphereBounds3f_
     """Centre of both."""
     BoxExtent: Property[FVector3f_path, FVector3f_in]
     """Half size of the box."""
-    SphereRadius: Property[Path[float], float | Future[float]]
+    SphereRadius: FloatProperty
     """Radius of the sphere."""
 
 class FBoxSphereBounds3f_async(AsyncValuePath[FBoxSphereBounds3f, FBoxSphereBounds3f_in]):
     """The same under ``async_``."""
     Origin: Property[FVector3f_async, FVector3f_in]
     BoxExtent: Property[FVector3f_async, FVector3f_in]
-    SphereRadius: Property[AsyncPath[float], float | Future[float]]
+    SphereRadius: AsyncFloatProperty
 
 class FSphere(Struct):
     """A sphere.
@@ -833,13 +836,13 @@ class FSphere_path(StructPath[FSphere, FSphere_in, FSphere_async]):
     """A variable of type FSphere: its path."""
     Center: Property[FVector_path, FVector_in]
     """Centre."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """Radius."""
 
 class FSphere_async(AsyncValuePath[FSphere, FSphere_in]):
     """The same under ``async_``."""
     Center: Property[FVector_async, FVector_in]
-    W: Property[AsyncPath[float], float | Future[float]]
+    W: AsyncFloatProperty
 
 class FSphere3f(Struct):
     """A sphere.
@@ -864,13 +867,13 @@ class FSphere3f_path(StructPath[FSphere3f, FSphere3f_in, FSphere3f_async]):
     """A variable of type FSphere3f: its path."""
     Center: Property[FVector3f_path, FVector3f_in]
     """Centre."""
-    W: Property[Path[float], float | Future[float]]
+    W: FloatProperty
     """Radius."""
 
 class FSphere3f_async(AsyncValuePath[FSphere3f, FSphere3f_in]):
     """The same under ``async_``."""
     Center: Property[FVector3f_async, FVector3f_in]
-    W: Property[AsyncPath[float], float | Future[float]]
+    W: AsyncFloatProperty
 
 class FRay(Struct):
     """A ray.
@@ -955,15 +958,15 @@ FIntPoint_in: TypeAlias = FIntPoint | FIntPoint_dict | Future[FIntPoint] | Numbe
 
 class FIntPoint_path(StructPath[FIntPoint, FIntPoint_in, FIntPoint_async]):
     """A variable of type FIntPoint: its path."""
-    X: Property[Path[int], int | Future[int]]
+    X: IntProperty
     """X component."""
-    Y: Property[Path[int], int | Future[int]]
+    Y: IntProperty
     """Y component."""
 
 class FIntPoint_async(AsyncValuePath[FIntPoint, FIntPoint_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[int], int | Future[int]]
-    Y: Property[AsyncPath[int], int | Future[int]]
+    X: AsyncIntProperty
+    Y: AsyncIntProperty
 
 class FIntVector2(Struct):
     """A 2D vector with integer components.
@@ -986,15 +989,15 @@ FIntVector2_in: TypeAlias = FIntVector2 | FIntVector2_dict | Future[FIntVector2]
 
 class FIntVector2_path(StructPath[FIntVector2, FIntVector2_in, FIntVector2_async]):
     """A variable of type FIntVector2: its path."""
-    X: Property[Path[int], int | Future[int]]
+    X: IntProperty
     """X component."""
-    Y: Property[Path[int], int | Future[int]]
+    Y: IntProperty
     """Y component."""
 
 class FIntVector2_async(AsyncValuePath[FIntVector2, FIntVector2_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[int], int | Future[int]]
-    Y: Property[AsyncPath[int], int | Future[int]]
+    X: AsyncIntProperty
+    Y: AsyncIntProperty
 
 class FIntVector(Struct):
     """A point in 3D space with integer coordinates.
@@ -1020,18 +1023,18 @@ FIntVector_in: TypeAlias = FIntVector | FIntVector_dict | Future[FIntVector] | N
 
 class FIntVector_path(StructPath[FIntVector, FIntVector_in, FIntVector_async]):
     """A variable of type FIntVector: its path."""
-    X: Property[Path[int], int | Future[int]]
+    X: IntProperty
     """X component."""
-    Y: Property[Path[int], int | Future[int]]
+    Y: IntProperty
     """Y component."""
-    Z: Property[Path[int], int | Future[int]]
+    Z: IntProperty
     """Z component."""
 
 class FIntVector_async(AsyncValuePath[FIntVector, FIntVector_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[int], int | Future[int]]
-    Y: Property[AsyncPath[int], int | Future[int]]
-    Z: Property[AsyncPath[int], int | Future[int]]
+    X: AsyncIntProperty
+    Y: AsyncIntProperty
+    Z: AsyncIntProperty
 
 class FIntVector4(Struct):
     """A 4D vector with integer components.
@@ -1060,21 +1063,21 @@ FIntVector4_in: TypeAlias = FIntVector4 | FIntVector4_dict | Future[FIntVector4]
 
 class FIntVector4_path(StructPath[FIntVector4, FIntVector4_in, FIntVector4_async]):
     """A variable of type FIntVector4: its path."""
-    X: Property[Path[int], int | Future[int]]
+    X: IntProperty
     """X component."""
-    Y: Property[Path[int], int | Future[int]]
+    Y: IntProperty
     """Y component."""
-    Z: Property[Path[int], int | Future[int]]
+    Z: IntProperty
     """Z component."""
-    W: Property[Path[int], int | Future[int]]
+    W: IntProperty
     """W component."""
 
 class FIntVector4_async(AsyncValuePath[FIntVector4, FIntVector4_in]):
     """The same under ``async_``."""
-    X: Property[AsyncPath[int], int | Future[int]]
-    Y: Property[AsyncPath[int], int | Future[int]]
-    Z: Property[AsyncPath[int], int | Future[int]]
-    W: Property[AsyncPath[int], int | Future[int]]
+    X: AsyncIntProperty
+    Y: AsyncIntProperty
+    Z: AsyncIntProperty
+    W: AsyncIntProperty
 
 from spear.structs import FColor as FColor
 
@@ -1090,21 +1093,21 @@ FColor_in: TypeAlias = FColor | FColor_dict | Future[FColor] | Numbers
 
 class FColor_path(StructPath[FColor, FColor_in, FColor_async]):
     """A variable of type FColor: its path."""
-    B: Property[Path[int], int | Future[int]]
+    B: IntProperty
     """Blue."""
-    G: Property[Path[int], int | Future[int]]
+    G: IntProperty
     """Green."""
-    R: Property[Path[int], int | Future[int]]
+    R: IntProperty
     """Red."""
-    A: Property[Path[int], int | Future[int]]
+    A: IntProperty
     """Alpha, 255 is opaque."""
 
 class FColor_async(AsyncValuePath[FColor, FColor_in]):
     """The same under ``async_``."""
-    B: Property[AsyncPath[int], int | Future[int]]
-    G: Property[AsyncPath[int], int | Future[int]]
-    R: Property[AsyncPath[int], int | Future[int]]
-    A: Property[AsyncPath[int], int | Future[int]]
+    B: AsyncIntProperty
+    G: AsyncIntProperty
+    R: AsyncIntProperty
+    A: AsyncIntProperty
 
 from spear.structs import FLinearColor as FLinearColor
 
@@ -1120,21 +1123,21 @@ FLinearColor_in: TypeAlias = FLinearColor | FLinearColor_dict | Future[FLinearCo
 
 class FLinearColor_path(StructPath[FLinearColor, FLinearColor_in, FLinearColor_async]):
     """A variable of type FLinearColor: its path."""
-    R: Property[Path[float], float | Future[float]]
+    R: FloatProperty
     """Red."""
-    G: Property[Path[float], float | Future[float]]
+    G: FloatProperty
     """Green."""
-    B: Property[Path[float], float | Future[float]]
+    B: FloatProperty
     """Blue."""
-    A: Property[Path[float], float | Future[float]]
+    A: FloatProperty
     """Alpha, 1 is opaque."""
 
 class FLinearColor_async(AsyncValuePath[FLinearColor, FLinearColor_in]):
     """The same under ``async_``."""
-    R: Property[AsyncPath[float], float | Future[float]]
-    G: Property[AsyncPath[float], float | Future[float]]
-    B: Property[AsyncPath[float], float | Future[float]]
-    A: Property[AsyncPath[float], float | Future[float]]
+    R: AsyncFloatProperty
+    G: AsyncFloatProperty
+    B: AsyncFloatProperty
+    A: AsyncFloatProperty
 
 class FRandomStream(Struct):
     """A repeatable sequence of random numbers.
@@ -1157,15 +1160,15 @@ FRandomStream_in: TypeAlias = FRandomStream | FRandomStream_dict | Future[FRando
 
 class FRandomStream_path(StructPath[FRandomStream, FRandomStream_in, FRandomStream_async]):
     """A variable of type FRandomStream: its path."""
-    InitialSeed: Property[Path[int], int | Future[int]]
+    InitialSeed: IntProperty
     """Seed the sequence started with."""
-    Seed: Property[Path[int], int | Future[int]]
+    Seed: IntProperty
     """Current state."""
 
 class FRandomStream_async(AsyncValuePath[FRandomStream, FRandomStream_in]):
     """The same under ``async_``."""
-    InitialSeed: Property[AsyncPath[int], int | Future[int]]
-    Seed: Property[AsyncPath[int], int | Future[int]]
+    InitialSeed: AsyncIntProperty
+    Seed: AsyncIntProperty
 
 class FGuid(Struct):
     """A globally unique identifier.
@@ -1194,21 +1197,21 @@ FGuid_in: TypeAlias = FGuid | FGuid_dict | Future[FGuid] | Numbers
 
 class FGuid_path(StructPath[FGuid, FGuid_in, FGuid_async]):
     """A variable of type FGuid: its path."""
-    A: Property[Path[int], int | Future[int]]
+    A: IntProperty
     """Part 1 of 4."""
-    B: Property[Path[int], int | Future[int]]
+    B: IntProperty
     """Part 2 of 4."""
-    C: Property[Path[int], int | Future[int]]
+    C: IntProperty
     """Part 3 of 4."""
-    D: Property[Path[int], int | Future[int]]
+    D: IntProperty
     """Part 4 of 4."""
 
 class FGuid_async(AsyncValuePath[FGuid, FGuid_in]):
     """The same under ``async_``."""
-    A: Property[AsyncPath[int], int | Future[int]]
-    B: Property[AsyncPath[int], int | Future[int]]
-    C: Property[AsyncPath[int], int | Future[int]]
-    D: Property[AsyncPath[int], int | Future[int]]
+    A: AsyncIntProperty
+    B: AsyncIntProperty
+    C: AsyncIntProperty
+    D: AsyncIntProperty
 
 class FDateTime(Struct):
     """A date and time in ticks of 100 ns since 1 January 0001.
@@ -1228,12 +1231,12 @@ FDateTime_in: TypeAlias = FDateTime | FDateTime_dict | Future[FDateTime] | Numbe
 
 class FDateTime_path(StructPath[FDateTime, FDateTime_in, FDateTime_async]):
     """A variable of type FDateTime: its path."""
-    Ticks: Property[Path[int], int | Future[int]]
+    Ticks: IntProperty
     """Ticks of 100 ns."""
 
 class FDateTime_async(AsyncValuePath[FDateTime, FDateTime_in]):
     """The same under ``async_``."""
-    Ticks: Property[AsyncPath[int], int | Future[int]]
+    Ticks: AsyncIntProperty
 
 class FTimespan(Struct):
     """A time span in ticks of 100 ns.
@@ -1253,12 +1256,12 @@ FTimespan_in: TypeAlias = FTimespan | FTimespan_dict | Future[FTimespan] | Numbe
 
 class FTimespan_path(StructPath[FTimespan, FTimespan_in, FTimespan_async]):
     """A variable of type FTimespan: its path."""
-    Ticks: Property[Path[int], int | Future[int]]
+    Ticks: IntProperty
     """Ticks of 100 ns."""
 
 class FTimespan_async(AsyncValuePath[FTimespan, FTimespan_in]):
     """The same under ``async_``."""
-    Ticks: Property[AsyncPath[int], int | Future[int]]
+    Ticks: AsyncIntProperty
 
 class FTopLevelAssetPath(Struct):
     """Package and name of a top-level object.
@@ -1281,15 +1284,15 @@ FTopLevelAssetPath_in: TypeAlias = FTopLevelAssetPath | FTopLevelAssetPath_dict 
 
 class FTopLevelAssetPath_path(StructPath[FTopLevelAssetPath, FTopLevelAssetPath_in, FTopLevelAssetPath_async]):
     """A variable of type FTopLevelAssetPath: its path."""
-    PackageName: Property[Path[str], str | Future[str]]
+    PackageName: StrProperty
     """Package, for instance /Game/Maps/Town."""
-    AssetName: Property[Path[str], str | Future[str]]
+    AssetName: StrProperty
     """Name of the object in the package."""
 
 class FTopLevelAssetPath_async(AsyncValuePath[FTopLevelAssetPath, FTopLevelAssetPath_in]):
     """The same under ``async_``."""
-    PackageName: Property[AsyncPath[str], str | Future[str]]
-    AssetName: Property[AsyncPath[str], str | Future[str]]
+    PackageName: AsyncStrProperty
+    AssetName: AsyncStrProperty
 
 class FSoftObjectPath(Struct):
     """Path of an object that may not be loaded.
@@ -1314,13 +1317,13 @@ class FSoftObjectPath_members:
     """The fields of FSoftObjectPath, as paths."""
     AssetPath: Property[FTopLevelAssetPath_path, FTopLevelAssetPath_in]
     """The asset."""
-    SubPathString: Property[Path[str], str | Future[str]]
+    SubPathString: StrProperty
     """Path of an object inside the asset, or empty."""
 
 class FSoftObjectPath_async_members:
     """The fields of FSoftObjectPath, as paths under ``async_``."""
     AssetPath: Property[FTopLevelAssetPath_async, FTopLevelAssetPath_in]
-    SubPathString: Property[AsyncPath[str], str | Future[str]]
+    SubPathString: AsyncStrProperty
 
 class FSoftObjectPath_path(StructPath[FSoftObjectPath, FSoftObjectPath_in, FSoftObjectPath_async], FSoftObjectPath_members):
     """A variable of type FSoftObjectPath: its path."""

@@ -2,7 +2,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias, TypeVar, overload
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncPath, AsyncValuePath, BoolProperty, FloatProperty, Future,
+    ObjectPath, Path, Property, SendBoolProperty, SendFloatProperty, SendProperty, ValuePath,
 )
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in, UClass, UInterface
 from ..CoreUObject._NoExportTypes import (
@@ -680,19 +681,19 @@ class AActor_members(UObject_members):
 
     Unreal: AActor.PrimaryActorTick (FActorTickFunction)
     """
-    CustomTimeDilation: Property[Path[float], float | Future[float]]
+    CustomTimeDilation: FloatProperty
     """Allow each actor to run at a different time speed. The DeltaTime for a frame is multiplied by the global
     TimeDilation (in WorldSettings) and this CustomTimeDilation for this actor's tick.
 
     Unreal: AActor.CustomTimeDilation (float)
     """
-    InitialLifeSpan: Property[Path[float], float | Future[float]]
+    InitialLifeSpan: FloatProperty
     """How long this Actor lives before dying, 0 = forever. Note this is the INITIAL value and should not be modified
     once play has begun. Seconds.
 
     Unreal: AActor.InitialLifeSpan (float)
     """
-    bFindCameraComponentWhenViewTarget: Property[Path[bool], bool | Future[bool]]
+    bFindCameraComponentWhenViewTarget: BoolProperty
     """If true, this actor should search for an owned camera component to view through when used as a view target.
 
     Unreal: AActor.bFindCameraComponentWhenViewTarget (bool)
@@ -765,17 +766,17 @@ class AActor_members(UObject_members):
 
     Unreal: AActor.Owner (AActor*)
     """
-    bHidden: Property[Path[bool], bool | Future[bool]]
+    bHidden: BoolProperty
     """Allows us to only see this Actor in the Editor, and not in the actual game.
 
     Unreal: AActor.bHidden (bool)
     """
-    bActorEnableCollision: Property[Path[bool], bool | Future[bool]]
+    bActorEnableCollision: BoolProperty
     """Enables any collision on this actor.
 
     Unreal: AActor.bActorEnableCollision (bool)
     """
-    bAutoDestroyWhenFinished: Property[Path[bool], bool | Future[bool]]
+    bAutoDestroyWhenFinished: BoolProperty
     """If true then destroy self when "finished", meaning all relevant components report that they are done and no
     timelines or timers are in flight.
 
@@ -1014,11 +1015,11 @@ class AActor_async(UObject_async):
         """Construction script, the place to spawn components and do other setup."""
     PrimaryActorTick: Property[FActorTickFunction_async, FActorTickFunction_in]
     """Primary Actor tick function, which calls TickActor()."""
-    CustomTimeDilation: Property[AsyncPath[float], float | Future[float]]
+    CustomTimeDilation: AsyncFloatProperty
     """Allow each actor to run at a different time speed."""
-    InitialLifeSpan: Property[AsyncPath[float], float | Future[float]]
+    InitialLifeSpan: AsyncFloatProperty
     """How long this Actor lives before dying, 0 = forever."""
-    bFindCameraComponentWhenViewTarget: Property[AsyncPath[bool], bool | Future[bool]]
+    bFindCameraComponentWhenViewTarget: AsyncBoolProperty
     """If true, this actor should search for an owned camera component to view through when used as a view target."""
     SpawnCollisionHandlingMethod: Property[AsyncValuePath[ESpawnActorCollisionHandlingMethod, ESpawnActorCollisionHandlingMethod_in], ESpawnActorCollisionHandlingMethod_in]
     """Controls how to handle spawning this actor in a situation where it's colliding with something else."""
@@ -1042,11 +1043,11 @@ class AActor_async(UObject_async):
     """Pawn responsible for damage and other gameplay events caused by this actor."""
     Owner: Property[AActor_async_path, AActor | Future[AActor] | None]
     """Owner of this Actor, used primarily for replication (bNetUseOwnerRelevancy & bOnlyRelevantToOwner) and visibility (PrimitiveComponent bOwnerNoSee and bOnlyOwnerSee)."""
-    bHidden: Property[AsyncPath[bool], bool | Future[bool]]
+    bHidden: AsyncBoolProperty
     """Allows us to only see this Actor in the Editor, and not in the actual game."""
-    bActorEnableCollision: Property[AsyncPath[bool], bool | Future[bool]]
+    bActorEnableCollision: AsyncBoolProperty
     """Enables any collision on this actor."""
-    bAutoDestroyWhenFinished: Property[AsyncPath[bool], bool | Future[bool]]
+    bAutoDestroyWhenFinished: AsyncBoolProperty
     """If true then destroy self when "finished", meaning all relevant components report that they are done and no timelines or timers are in flight."""
     BlueprintCreatedComponents: Property[AsyncArrayPath[UActorComponent | None, UActorComponent | Future[UActorComponent] | None, UActorComponent_async_path], Sequence[UActorComponent | Future[UActorComponent] | None] | Future[list[UActorComponent | None]]]
     """Array of ActorComponents that are created by blueprints and serialized per-instance."""
@@ -1229,9 +1230,9 @@ class AActor_send(UObject_send):
     def UserConstructionScript(self) -> None:
         """Construction script, the place to spawn components and do other setup."""
     PrimaryActorTick: SendProperty[FActorTickFunction_in]
-    CustomTimeDilation: SendProperty[float | Future[float]]
-    InitialLifeSpan: SendProperty[float | Future[float]]
-    bFindCameraComponentWhenViewTarget: SendProperty[bool | Future[bool]]
+    CustomTimeDilation: SendFloatProperty
+    InitialLifeSpan: SendFloatProperty
+    bFindCameraComponentWhenViewTarget: SendBoolProperty
     SpawnCollisionHandlingMethod: SendProperty[ESpawnActorCollisionHandlingMethod_in]
     Tags: SendProperty[Sequence[str | Future[str]] | Future[list[str]]]
     Children: SendProperty[Sequence[AActor | Future[AActor] | None] | Future[list[AActor | None]]]
@@ -1243,9 +1244,9 @@ class AActor_send(UObject_send):
     RootComponent: SendProperty[USceneComponent | Future[USceneComponent] | None]
     Instigator: SendProperty[APawn | Future[APawn] | None]
     Owner: SendProperty[AActor | Future[AActor] | None]
-    bHidden: SendProperty[bool | Future[bool]]
-    bActorEnableCollision: SendProperty[bool | Future[bool]]
-    bAutoDestroyWhenFinished: SendProperty[bool | Future[bool]]
+    bHidden: SendBoolProperty
+    bActorEnableCollision: SendBoolProperty
+    bAutoDestroyWhenFinished: SendBoolProperty
     BlueprintCreatedComponents: SendProperty[Sequence[UActorComponent | Future[UActorComponent] | None] | Future[list[UActorComponent | None]]]
     InstanceComponents: SendProperty[Sequence[UActorComponent | Future[UActorComponent] | None] | Future[list[UActorComponent | None]]]
 

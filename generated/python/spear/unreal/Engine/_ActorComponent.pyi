@@ -2,7 +2,8 @@
 from collections.abc import Sequence
 from typing import TypeAlias
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncObjectPath, AsyncPath, AsyncValuePath, BoolProperty, Future, ObjectPath, Path, Property,
+    SendBoolProperty, SendProperty, ValuePath,
 )
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in
 from ..CoreUObject._NoExportTypes import UObject, UObject_async, UObject_members, UObject_send
@@ -168,12 +169,12 @@ class UActorComponent_members(UObject_members):
 
     Unreal: UActorComponent.ComponentTags (TArray<FName>)
     """
-    bEditableWhenInherited: Property[Path[bool], bool | Future[bool]]
+    bEditableWhenInherited: BoolProperty
     """True if this component can be modified when it was inherited from a parent actor class.
 
     Unreal: UActorComponent.bEditableWhenInherited (bool)
     """
-    bAutoActivate: Property[Path[bool], bool | Future[bool]]
+    bAutoActivate: BoolProperty
     """Whether the component is activated at creation or must be explicitly activated.
 
     Unreal: UActorComponent.bAutoActivate (bool)
@@ -197,7 +198,7 @@ class UActorComponent_members(UObject_members):
 
     Unreal: UActorComponent.OnComponentDeactivated (FActorComponentDeactivateSignature)
     """
-    bIsActive: Property[Path[bool], bool | Future[bool]]
+    bIsActive: BoolProperty
     """Whether the component is currently active.
 
     Unreal: UActorComponent.bIsActive (bool)
@@ -255,9 +256,9 @@ class UActorComponent_async(UObject_async):
     """Main tick function for the Component."""
     ComponentTags: Property[AsyncArrayPath[str, str | Future[str], AsyncPath[str]], Sequence[str | Future[str]] | Future[list[str]]]
     """Array of tags that can be used for grouping and categorizing."""
-    bEditableWhenInherited: Property[AsyncPath[bool], bool | Future[bool]]
+    bEditableWhenInherited: AsyncBoolProperty
     """True if this component can be modified when it was inherited from a parent actor class."""
-    bAutoActivate: Property[AsyncPath[bool], bool | Future[bool]]
+    bAutoActivate: AsyncBoolProperty
     """Whether the component is activated at creation or must be explicitly activated."""
     CreationMethod: Property[AsyncValuePath[EComponentCreationMethod, EComponentCreationMethod_in], EComponentCreationMethod_in]
     """Describes how a component instance was created."""
@@ -265,7 +266,7 @@ class UActorComponent_async(UObject_async):
     """Called when the component has been activated, with parameter indicating if it was from a reset."""
     OnComponentDeactivated: Property[AsyncValuePath[list[FScriptDelegate], Sequence[FScriptDelegate_in] | None], Sequence[FScriptDelegate_in] | None]
     """Called when the component has been deactivated."""
-    bIsActive: Property[AsyncPath[bool], bool | Future[bool]]
+    bIsActive: AsyncBoolProperty
     """Whether the component is currently active."""
 
 class UActorComponent_send(UObject_send):
@@ -318,12 +319,12 @@ class UActorComponent_send(UObject_send):
         """Toggles the active state of the component."""
     PrimaryComponentTick: SendProperty[FActorComponentTickFunction_in]
     ComponentTags: SendProperty[Sequence[str | Future[str]] | Future[list[str]]]
-    bEditableWhenInherited: SendProperty[bool | Future[bool]]
-    bAutoActivate: SendProperty[bool | Future[bool]]
+    bEditableWhenInherited: SendBoolProperty
+    bAutoActivate: SendBoolProperty
     CreationMethod: SendProperty[EComponentCreationMethod_in]
     OnComponentActivated: SendProperty[Sequence[FScriptDelegate_in] | None]
     OnComponentDeactivated: SendProperty[Sequence[FScriptDelegate_in] | None]
-    bIsActive: SendProperty[bool | Future[bool]]
+    bIsActive: SendBoolProperty
 
 class UActorComponent(UActorComponent_members, UObject):
     """ActorComponent is the base class for components that define reusable behavior that can be added to different

@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/Components/ArrowComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty, SendProperty
 from ..CoreUObject._NoExportTypes import FColor_async, FColor_in, FColor_path, FLinearColor_in
 from ._PrimitiveComponent import UPrimitiveComponent, UPrimitiveComponent_async, UPrimitiveComponent_members, UPrimitiveComponent_send
 
@@ -25,12 +25,12 @@ class UArrowComponent_members(UPrimitiveComponent_members):
 
     Unreal: UArrowComponent.ArrowColor (FColor)
     """
-    ArrowSize: Property[Path[float], float | Future[float]]
+    ArrowSize: FloatProperty
     """Relative size to scale the drawn arrow by.
 
     Unreal: UArrowComponent.ArrowSize (float)
     """
-    ArrowLength: Property[Path[float], float | Future[float]]
+    ArrowLength: FloatProperty
     """Total length of the drawn arrow including the head, in centimetres.
 
     Unreal: UArrowComponent.ArrowLength (float)
@@ -46,9 +46,9 @@ class UArrowComponent_async(UPrimitiveComponent_async):
         """Updates the arrow's size."""
     ArrowColor: Property[FColor_async, FColor_in]
     """Colour to draw the arrow."""
-    ArrowSize: Property[AsyncPath[float], float | Future[float]]
+    ArrowSize: AsyncFloatProperty
     """Relative size to scale the drawn arrow by."""
-    ArrowLength: Property[AsyncPath[float], float | Future[float]]
+    ArrowLength: AsyncFloatProperty
     """Total length of the drawn arrow including the head, in centimetres."""
 
 class UArrowComponent_send(UPrimitiveComponent_send):
@@ -60,8 +60,8 @@ class UArrowComponent_send(UPrimitiveComponent_send):
     def SetArrowSize(self, NewSize: float | Future[float]) -> None:
         """Updates the arrow's size."""
     ArrowColor: SendProperty[FColor_in]
-    ArrowSize: SendProperty[float | Future[float]]
-    ArrowLength: SendProperty[float | Future[float]]
+    ArrowSize: SendFloatProperty
+    ArrowLength: SendFloatProperty
 
 class UArrowComponent(UArrowComponent_members, UPrimitiveComponent):
     """An arrow along the local X axis, to mark a direction. Hidden in game by default. Epic page: UArrowComponent.

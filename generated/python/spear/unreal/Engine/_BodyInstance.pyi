@@ -1,7 +1,7 @@
 # generated, do not edit (Engine: Public/PhysicsEngine/BodyInstance.h)
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath, ValuePath
+from spear.typing import AsyncStrProperty, AsyncValuePath, Future, Property, StrProperty, StructPath, ValuePath
 from ._EngineTypes import (
     ECollisionChannel, ECollisionChannel_in, ECollisionEnabled, ECollisionEnabled_in, FCollisionResponseContainer, FCollisionResponseContainer_async,
     FCollisionResponseContainer_in, FCollisionResponseContainer_path,
@@ -36,7 +36,7 @@ FBodyInstance_in: TypeAlias = FBodyInstance | FBodyInstance_dict | Future[FBodyI
 
 class FBodyInstance_path(StructPath[FBodyInstance, FBodyInstance_in, FBodyInstance_async]):
     """A variable of type FBodyInstance: its path."""
-    CollisionProfileName: Property[Path[str], str | Future[str]]
+    CollisionProfileName: StrProperty
     """Name of the collision profile; `Custom` when the settings were changed one by one."""
     CollisionEnabled: Property[ValuePath[ECollisionEnabled, ECollisionEnabled_in], ECollisionEnabled_in]
     """What collision the body takes part in."""
@@ -47,7 +47,7 @@ class FBodyInstance_path(StructPath[FBodyInstance, FBodyInstance_in, FBodyInstan
 
 class FBodyInstance_async(AsyncValuePath[FBodyInstance, FBodyInstance_in]):
     """The same under ``async_``."""
-    CollisionProfileName: Property[AsyncPath[str], str | Future[str]]
+    CollisionProfileName: AsyncStrProperty
     CollisionEnabled: Property[AsyncValuePath[ECollisionEnabled, ECollisionEnabled_in], ECollisionEnabled_in]
     ObjectType: Property[AsyncValuePath[ECollisionChannel, ECollisionChannel_in], ECollisionChannel_in]
     CollisionResponses: Property[FCollisionResponseContainer_async, FCollisionResponseContainer_in]

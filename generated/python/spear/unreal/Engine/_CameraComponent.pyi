@@ -1,6 +1,9 @@
 # generated, do not edit (Engine: Public/Camera/CameraComponent.h)
 from typing import NamedTuple
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future, ObjectPath, Property,
+    SendBoolProperty, SendFloatProperty, SendProperty, ValuePath,
+)
 from ._CameraTypes import ECameraProjectionMode, ECameraProjectionMode_in, FMinimalViewInfo
 from ._SceneComponent import USceneComponent, USceneComponent_async, USceneComponent_members, USceneComponent_send
 
@@ -62,47 +65,47 @@ class UCameraComponent_members(USceneComponent_members):
 
         Unreal: UCameraComponent.SetUseFieldOfViewForLOD
         """
-    FieldOfView: Property[Path[float], float | Future[float]]
+    FieldOfView: FloatProperty
     """The horizontal field of view, in degrees, in perspective mode (ignored in orthographic mode).
 
     unit deg; 0.001 to 360.0
 
     Unreal: UCameraComponent.FieldOfView (float)
     """
-    OrthoWidth: Property[Path[float], float | Future[float]]
+    OrthoWidth: FloatProperty
     """The desired width of the orthographic view, in centimetres (ignored in perspective mode).
 
     Unreal: UCameraComponent.OrthoWidth (float)
     """
-    OrthoNearClipPlane: Property[Path[float], float | Future[float]]
+    OrthoNearClipPlane: FloatProperty
     """The near plane distance of the orthographic view, in centimetres.
 
     Unreal: UCameraComponent.OrthoNearClipPlane (float)
     """
-    OrthoFarClipPlane: Property[Path[float], float | Future[float]]
+    OrthoFarClipPlane: FloatProperty
     """The far plane distance of the orthographic view, in centimetres.
 
     Unreal: UCameraComponent.OrthoFarClipPlane (float)
     """
-    AspectRatio: Property[Path[float], float | Future[float]]
+    AspectRatio: FloatProperty
     """Aspect ratio (width over height).
 
     0.1 to 100.0
 
     Unreal: UCameraComponent.AspectRatio (float)
     """
-    bConstrainAspectRatio: Property[Path[bool], bool | Future[bool]]
+    bConstrainAspectRatio: BoolProperty
     """If true, black bars will be added if the destination view has a different aspect ratio than this camera
     requested.
 
     Unreal: UCameraComponent.bConstrainAspectRatio (bool)
     """
-    bUseFieldOfViewForLOD: Property[Path[bool], bool | Future[bool]]
+    bUseFieldOfViewForLOD: BoolProperty
     """If true, account for the field of view angle when computing which level of detail to use for meshes.
 
     Unreal: UCameraComponent.bUseFieldOfViewForLOD (bool)
     """
-    bUsePawnControlRotation: Property[Path[bool], bool | Future[bool]]
+    bUsePawnControlRotation: BoolProperty
     """If this camera component is placed on a pawn, should it use the view/control rotation of the pawn where
     possible?
 
@@ -134,21 +137,21 @@ class UCameraComponent_async(USceneComponent_async):
         """Sets the type of camera."""
     def SetUseFieldOfViewForLOD(self, bInUseFieldOfViewForLOD: bool | Future[bool]) -> Future[None]:
         """Sets whether the field of view counts for the level of detail."""
-    FieldOfView: Property[AsyncPath[float], float | Future[float]]
+    FieldOfView: AsyncFloatProperty
     """The horizontal field of view, in degrees, in perspective mode (ignored in orthographic mode)."""
-    OrthoWidth: Property[AsyncPath[float], float | Future[float]]
+    OrthoWidth: AsyncFloatProperty
     """The desired width of the orthographic view, in centimetres (ignored in perspective mode)."""
-    OrthoNearClipPlane: Property[AsyncPath[float], float | Future[float]]
+    OrthoNearClipPlane: AsyncFloatProperty
     """The near plane distance of the orthographic view, in centimetres."""
-    OrthoFarClipPlane: Property[AsyncPath[float], float | Future[float]]
+    OrthoFarClipPlane: AsyncFloatProperty
     """The far plane distance of the orthographic view, in centimetres."""
-    AspectRatio: Property[AsyncPath[float], float | Future[float]]
+    AspectRatio: AsyncFloatProperty
     """Aspect ratio (width over height)."""
-    bConstrainAspectRatio: Property[AsyncPath[bool], bool | Future[bool]]
+    bConstrainAspectRatio: AsyncBoolProperty
     """If true, black bars will be added if the destination view has a different aspect ratio than this camera requested."""
-    bUseFieldOfViewForLOD: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseFieldOfViewForLOD: AsyncBoolProperty
     """If true, account for the field of view angle when computing which level of detail to use for meshes."""
-    bUsePawnControlRotation: Property[AsyncPath[bool], bool | Future[bool]]
+    bUsePawnControlRotation: AsyncBoolProperty
     """If this camera component is placed on a pawn, should it use the view/control rotation of the pawn where possible?"""
     ProjectionMode: Property[AsyncValuePath[ECameraProjectionMode, ECameraProjectionMode_in], ECameraProjectionMode_in]
     """The type of camera."""
@@ -173,14 +176,14 @@ class UCameraComponent_send(USceneComponent_send):
         """Sets the type of camera."""
     def SetUseFieldOfViewForLOD(self, bInUseFieldOfViewForLOD: bool | Future[bool]) -> None:
         """Sets whether the field of view counts for the level of detail."""
-    FieldOfView: SendProperty[float | Future[float]]
-    OrthoWidth: SendProperty[float | Future[float]]
-    OrthoNearClipPlane: SendProperty[float | Future[float]]
-    OrthoFarClipPlane: SendProperty[float | Future[float]]
-    AspectRatio: SendProperty[float | Future[float]]
-    bConstrainAspectRatio: SendProperty[bool | Future[bool]]
-    bUseFieldOfViewForLOD: SendProperty[bool | Future[bool]]
-    bUsePawnControlRotation: SendProperty[bool | Future[bool]]
+    FieldOfView: SendFloatProperty
+    OrthoWidth: SendFloatProperty
+    OrthoNearClipPlane: SendFloatProperty
+    OrthoFarClipPlane: SendFloatProperty
+    AspectRatio: SendFloatProperty
+    bConstrainAspectRatio: SendBoolProperty
+    bUseFieldOfViewForLOD: SendBoolProperty
+    bUsePawnControlRotation: SendBoolProperty
     ProjectionMode: SendProperty[ECameraProjectionMode_in]
 
 class UCameraComponent(UCameraComponent_members, USceneComponent):

@@ -2,7 +2,7 @@
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath, ValuePath
+from spear.typing import AsyncBoolProperty, AsyncFloatProperty, AsyncValuePath, BoolProperty, FloatProperty, Future, Property, StructPath, ValuePath
 from ..CoreUObject._NoExportTypes import FRotator, FRotator_async, FRotator_in, FRotator_path, FVector, FVector_async, FVector_in, FVector_path
 
 class ECameraProjectionMode(UnrealEnum):
@@ -72,21 +72,21 @@ class FMinimalViewInfo_path(StructPath[FMinimalViewInfo, FMinimalViewInfo_in, FM
     """Location of the view, in centimetres."""
     Rotation: Property[FRotator_path, FRotator_in]
     """Rotation of the view, in degrees."""
-    FOV: Property[Path[float], float | Future[float]]
+    FOV: FloatProperty
     """The horizontal field of view, in degrees, in perspective mode (ignored in orthographic mode)."""
-    DesiredFOV: Property[Path[float], float | Future[float]]
+    DesiredFOV: FloatProperty
     """The originally desired horizontal field of view before any adjustments for a different aspect ratio."""
-    OrthoWidth: Property[Path[float], float | Future[float]]
+    OrthoWidth: FloatProperty
     """The desired width of the orthographic view, in centimetres (ignored in perspective mode)."""
-    OrthoNearClipPlane: Property[Path[float], float | Future[float]]
+    OrthoNearClipPlane: FloatProperty
     """The near plane distance of the orthographic view, in centimetres."""
-    OrthoFarClipPlane: Property[Path[float], float | Future[float]]
+    OrthoFarClipPlane: FloatProperty
     """The far plane distance of the orthographic view, in centimetres."""
-    PerspectiveNearClipPlane: Property[Path[float], float | Future[float]]
+    PerspectiveNearClipPlane: FloatProperty
     """The near plane distance of the perspective view, in centimetres. Not positive: the engine's default."""
-    AspectRatio: Property[Path[float], float | Future[float]]
+    AspectRatio: FloatProperty
     """Aspect ratio (width over height)."""
-    bConstrainAspectRatio: Property[Path[bool], bool | Future[bool]]
+    bConstrainAspectRatio: BoolProperty
     """If true, black bars will be added if the destination view has a different aspect ratio than this camera
     requested.
     """
@@ -97,12 +97,12 @@ class FMinimalViewInfo_async(AsyncValuePath[FMinimalViewInfo, FMinimalViewInfo_i
     """The same under ``async_``."""
     Location: Property[FVector_async, FVector_in]
     Rotation: Property[FRotator_async, FRotator_in]
-    FOV: Property[AsyncPath[float], float | Future[float]]
-    DesiredFOV: Property[AsyncPath[float], float | Future[float]]
-    OrthoWidth: Property[AsyncPath[float], float | Future[float]]
-    OrthoNearClipPlane: Property[AsyncPath[float], float | Future[float]]
-    OrthoFarClipPlane: Property[AsyncPath[float], float | Future[float]]
-    PerspectiveNearClipPlane: Property[AsyncPath[float], float | Future[float]]
-    AspectRatio: Property[AsyncPath[float], float | Future[float]]
-    bConstrainAspectRatio: Property[AsyncPath[bool], bool | Future[bool]]
+    FOV: AsyncFloatProperty
+    DesiredFOV: AsyncFloatProperty
+    OrthoWidth: AsyncFloatProperty
+    OrthoNearClipPlane: AsyncFloatProperty
+    OrthoFarClipPlane: AsyncFloatProperty
+    PerspectiveNearClipPlane: AsyncFloatProperty
+    AspectRatio: AsyncFloatProperty
+    bConstrainAspectRatio: AsyncBoolProperty
     ProjectionMode: Property[AsyncValuePath[ECameraProjectionMode, ECameraProjectionMode_in], ECameraProjectionMode_in]

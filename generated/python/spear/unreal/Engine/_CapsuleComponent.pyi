@@ -1,6 +1,6 @@
 # generated, do not edit (Engine: Public/Components/CapsuleComponent.h)
 from typing import NamedTuple
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, SendFloatProperty
 from ._ShapeComponent import UShapeComponent, UShapeComponent_async, UShapeComponent_members, UShapeComponent_send
 
 class UCapsuleComponent_GetScaledCapsuleSize_Result(NamedTuple):
@@ -75,7 +75,7 @@ class UCapsuleComponent_members(UShapeComponent_members):
 
         Unreal: UCapsuleComponent.SetCapsuleSize
         """
-    CapsuleHalfHeight: Property[Path[float], float | Future[float]]
+    CapsuleHalfHeight: FloatProperty
     """Half-height, from the centre of the capsule to the end of its top or bottom hemisphere, in centimetres. Never
     less than the radius.
 
@@ -83,7 +83,7 @@ class UCapsuleComponent_members(UShapeComponent_members):
 
     Unreal: UCapsuleComponent.CapsuleHalfHeight (float)
     """
-    CapsuleRadius: Property[Path[float], float | Future[float]]
+    CapsuleRadius: FloatProperty
     """Radius of the cap hemispheres and of the centre cylinder, in centimetres. Never more than the half-height.
 
     at least 0
@@ -117,9 +117,9 @@ class UCapsuleComponent_async(UShapeComponent_async):
         """Sets the capsule radius."""
     def SetCapsuleSize(self, InRadius: float | Future[float], InHalfHeight: float | Future[float], bUpdateOverlaps: bool | Future[bool] = True) -> Future[None]:
         """Changes the capsule size."""
-    CapsuleHalfHeight: Property[AsyncPath[float], float | Future[float]]
+    CapsuleHalfHeight: AsyncFloatProperty
     """Half-height, from the centre of the capsule to the end of its top or bottom hemisphere, in centimetres."""
-    CapsuleRadius: Property[AsyncPath[float], float | Future[float]]
+    CapsuleRadius: AsyncFloatProperty
     """Radius of the cap hemispheres and of the centre cylinder, in centimetres."""
 
 class UCapsuleComponent_send(UShapeComponent_send):
@@ -148,8 +148,8 @@ class UCapsuleComponent_send(UShapeComponent_send):
         """Sets the capsule radius."""
     def SetCapsuleSize(self, InRadius: float | Future[float], InHalfHeight: float | Future[float], bUpdateOverlaps: bool | Future[bool] = True) -> None:
         """Changes the capsule size."""
-    CapsuleHalfHeight: SendProperty[float | Future[float]]
-    CapsuleRadius: SendProperty[float | Future[float]]
+    CapsuleHalfHeight: SendFloatProperty
+    CapsuleRadius: SendFloatProperty
 
 class UCapsuleComponent(UCapsuleComponent_members, UShapeComponent):
     """A capsule along the local Z axis for simple collision. Epic page: UCapsuleComponent.

@@ -3,7 +3,8 @@ from collections.abc import Sequence
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, StructPath, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncObjectPath, AsyncStrProperty, AsyncValuePath, BoolProperty, Future, ObjectPath, Property,
+    SendProperty, StrProperty, StructPath, ValuePath,
 )
 from ..CoreUObject._NoExportTypes import UObject, UObject_async, UObject_members, UObject_send
 from ._EngineTypes import ECollisionEnabled, ECollisionEnabled_in
@@ -35,21 +36,21 @@ FCollisionResponseTemplate_in: TypeAlias = FCollisionResponseTemplate | FCollisi
 
 class FCollisionResponseTemplate_path(StructPath[FCollisionResponseTemplate, FCollisionResponseTemplate_in, FCollisionResponseTemplate_async]):
     """A variable of type FCollisionResponseTemplate: its path."""
-    Name: Property[Path[str], str | Future[str]]
+    Name: StrProperty
     """Name of the profile."""
     CollisionEnabled: Property[ValuePath[ECollisionEnabled, ECollisionEnabled_in], ECollisionEnabled_in]
     """What a body with this profile takes part in."""
-    bCanModify: Property[Path[bool], bool | Future[bool]]
+    bCanModify: BoolProperty
     """Whether projects may change it."""
-    ObjectTypeName: Property[Path[str], str | Future[str]]
+    ObjectTypeName: StrProperty
     """Name of the object type."""
 
 class FCollisionResponseTemplate_async(AsyncValuePath[FCollisionResponseTemplate, FCollisionResponseTemplate_in]):
     """The same under ``async_``."""
-    Name: Property[AsyncPath[str], str | Future[str]]
+    Name: AsyncStrProperty
     CollisionEnabled: Property[AsyncValuePath[ECollisionEnabled, ECollisionEnabled_in], ECollisionEnabled_in]
-    bCanModify: Property[AsyncPath[bool], bool | Future[bool]]
-    ObjectTypeName: Property[AsyncPath[str], str | Future[str]]
+    bCanModify: AsyncBoolProperty
+    ObjectTypeName: AsyncStrProperty
 
 class UCollisionProfile_members(UObject_members):
     """Functions and variables of UCollisionProfile."""

@@ -1,7 +1,9 @@
 # generated, do not edit (Engine: Public/GameFramework/Controller.h)
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncObjectPath, AsyncStrProperty, AsyncValuePath, Future, ObjectPath, Property, SendProperty, SendStrProperty, StrProperty, ValuePath,
+)
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in
 from ..CoreUObject._NoExportTypes import FRotator, FRotator_async, FRotator_in, FRotator_path, FVector, FVector_in
 from ._Actor import AActor, AActor_async, AActor_members, AActor_send
@@ -154,7 +156,7 @@ class AController_members(AActor_members):
 
     Unreal: AController.OnPossessedPawnChanged (FOnPossessedPawnChanged)
     """
-    StateName: Property[Path[str], str | Future[str]]
+    StateName: StrProperty
     """Current gameplay state this controller is in.
 
     Unreal: AController.StateName (FName)
@@ -220,7 +222,7 @@ class AController_async(AActor_async):
     """PlayerState containing replicated information about the player using this controller (only exists for players, not NPCs)."""
     OnPossessedPawnChanged: Property[AsyncValuePath[list[FScriptDelegate], Sequence[FScriptDelegate_in] | None], Sequence[FScriptDelegate_in] | None]
     """Called on both authority and clients when the possessed pawn changes (either OldPawn or NewPawn might be nullptr)."""
-    StateName: Property[AsyncPath[str], str | Future[str]]
+    StateName: AsyncStrProperty
     """Current gameplay state this controller is in."""
     ControlRotation: Property[FRotator_async, FRotator_in]
     """The control rotation of the Controller."""
@@ -275,7 +277,7 @@ class AController_send(AActor_send):
         """Called to unpossess our pawn for any reason that is not the pawn being destroyed (destruction handled by PawnDestroyed())."""
     PlayerState: SendProperty[APlayerState | Future[APlayerState] | None]
     OnPossessedPawnChanged: SendProperty[Sequence[FScriptDelegate_in] | None]
-    StateName: SendProperty[str | Future[str]]
+    StateName: SendStrProperty
     ControlRotation: SendProperty[FRotator_in]
     Pawn: SendProperty[APawn | Future[APawn] | None]
 

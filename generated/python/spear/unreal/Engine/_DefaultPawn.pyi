@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/GameFramework/DefaultPawn.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty, SendProperty
 from ._Pawn import APawn, APawn_async, APawn_members, APawn_send
 from ._PawnMovementComponent import UPawnMovementComponent, UPawnMovementComponent_async_path, UPawnMovementComponent_path
 from ._SphereComponent import USphereComponent, USphereComponent_async_path, USphereComponent_path
@@ -37,12 +37,12 @@ class ADefaultPawn_members(APawn_members):
 
         Unreal: ADefaultPawn.TurnAtRate
         """
-    BaseTurnRate: Property[Path[float], float | Future[float]]
+    BaseTurnRate: FloatProperty
     """Base turn rate, in deg/sec. Other scaling may affect final turn rate.
 
     Unreal: ADefaultPawn.BaseTurnRate (float)
     """
-    BaseLookUpRate: Property[Path[float], float | Future[float]]
+    BaseLookUpRate: FloatProperty
     """Base lookup rate, in deg/sec. Other scaling may affect final lookup rate.
 
     Unreal: ADefaultPawn.BaseLookUpRate (float)
@@ -70,9 +70,9 @@ class ADefaultPawn_async(APawn_async):
         """Input callback to move up in world space (or down if Val is negative)."""
     def TurnAtRate(self, Rate: float | Future[float]) -> Future[None]:
         """Called via input to turn at a given rate."""
-    BaseTurnRate: Property[AsyncPath[float], float | Future[float]]
+    BaseTurnRate: AsyncFloatProperty
     """Base turn rate, in deg/sec."""
-    BaseLookUpRate: Property[AsyncPath[float], float | Future[float]]
+    BaseLookUpRate: AsyncFloatProperty
     """Base lookup rate, in deg/sec."""
     MovementComponent: Property[UPawnMovementComponent_async_path, UPawnMovementComponent | Future[UPawnMovementComponent] | None]
     """DefaultPawn movement component."""
@@ -91,8 +91,8 @@ class ADefaultPawn_send(APawn_send):
         """Input callback to move up in world space (or down if Val is negative)."""
     def TurnAtRate(self, Rate: float | Future[float]) -> None:
         """Called via input to turn at a given rate."""
-    BaseTurnRate: SendProperty[float | Future[float]]
-    BaseLookUpRate: SendProperty[float | Future[float]]
+    BaseTurnRate: SendFloatProperty
+    BaseLookUpRate: SendFloatProperty
     MovementComponent: SendProperty[UPawnMovementComponent | Future[UPawnMovementComponent] | None]
     CollisionComponent: SendProperty[USphereComponent | Future[USphereComponent] | None]
 

@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/Components/DirectionalLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, IntProperty, ObjectPath,
+    SendBoolProperty, SendFloatProperty, SendIntProperty,
+)
 from ._LightComponent import ULightComponent, ULightComponent_async, ULightComponent_members, ULightComponent_send
 
 class UDirectionalLightComponent_members(ULightComponent_members):
@@ -29,27 +32,27 @@ class UDirectionalLightComponent_members(ULightComponent_members):
 
         Unreal: UDirectionalLightComponent.SetLightSourceSoftAngle
         """
-    LightSourceAngle: Property[Path[float], float | Future[float]]
+    LightSourceAngle: FloatProperty
     """Angle that the light source subtends, in degrees. The sun's is 0.5357.
 
     Unreal: UDirectionalLightComponent.LightSourceAngle (float)
     """
-    LightSourceSoftAngle: Property[Path[float], float | Future[float]]
+    LightSourceSoftAngle: FloatProperty
     """Angle that the soft light source subtends, in degrees.
 
     Unreal: UDirectionalLightComponent.LightSourceSoftAngle (float)
     """
-    DynamicShadowDistanceMovableLight: Property[Path[float], float | Future[float]]
+    DynamicShadowDistanceMovableLight: FloatProperty
     """How far the dynamic shadows of a movable light reach, in centimetres.
 
     Unreal: UDirectionalLightComponent.DynamicShadowDistanceMovableLight (float)
     """
-    bAtmosphereSunLight: Property[Path[bool], bool | Future[bool]]
+    bAtmosphereSunLight: BoolProperty
     """Whether the directional light can interact with the atmosphere: it draws the sun's disc and lights the sky.
 
     Unreal: UDirectionalLightComponent.bAtmosphereSunLight (bool)
     """
-    AtmosphereSunLightIndex: Property[Path[int], int | Future[int]]
+    AtmosphereSunLightIndex: IntProperty
     """Two atmosphere lights are supported: 0 is the sun, 1 for instance the moon.
 
     0 to 1
@@ -69,15 +72,15 @@ class UDirectionalLightComponent_async(ULightComponent_async):
         """Sets the angle that the light source subtends, in degrees."""
     def SetLightSourceSoftAngle(self, NewValue: float | Future[float]) -> Future[None]:
         """Sets the angle that the soft light source subtends, in degrees."""
-    LightSourceAngle: Property[AsyncPath[float], float | Future[float]]
+    LightSourceAngle: AsyncFloatProperty
     """Angle that the light source subtends, in degrees."""
-    LightSourceSoftAngle: Property[AsyncPath[float], float | Future[float]]
+    LightSourceSoftAngle: AsyncFloatProperty
     """Angle that the soft light source subtends, in degrees."""
-    DynamicShadowDistanceMovableLight: Property[AsyncPath[float], float | Future[float]]
+    DynamicShadowDistanceMovableLight: AsyncFloatProperty
     """How far the dynamic shadows of a movable light reach, in centimetres."""
-    bAtmosphereSunLight: Property[AsyncPath[bool], bool | Future[bool]]
+    bAtmosphereSunLight: AsyncBoolProperty
     """Whether the directional light can interact with the atmosphere: it draws the sun's disc and lights the sky."""
-    AtmosphereSunLightIndex: Property[AsyncPath[int], int | Future[int]]
+    AtmosphereSunLightIndex: AsyncIntProperty
     """Two atmosphere lights are supported: 0 is the sun, 1 for instance the moon."""
 
 class UDirectionalLightComponent_send(ULightComponent_send):
@@ -92,11 +95,11 @@ class UDirectionalLightComponent_send(ULightComponent_send):
         """Sets the angle that the light source subtends, in degrees."""
     def SetLightSourceSoftAngle(self, NewValue: float | Future[float]) -> None:
         """Sets the angle that the soft light source subtends, in degrees."""
-    LightSourceAngle: SendProperty[float | Future[float]]
-    LightSourceSoftAngle: SendProperty[float | Future[float]]
-    DynamicShadowDistanceMovableLight: SendProperty[float | Future[float]]
-    bAtmosphereSunLight: SendProperty[bool | Future[bool]]
-    AtmosphereSunLightIndex: SendProperty[int | Future[int]]
+    LightSourceAngle: SendFloatProperty
+    LightSourceSoftAngle: SendFloatProperty
+    DynamicShadowDistanceMovableLight: SendFloatProperty
+    bAtmosphereSunLight: SendBoolProperty
+    AtmosphereSunLightIndex: SendIntProperty
 
 class UDirectionalLightComponent(UDirectionalLightComponent_members, ULightComponent):
     """A light whose rays are parallel: the sun or the moon. Its intensity is in lux, its direction the local X axis.

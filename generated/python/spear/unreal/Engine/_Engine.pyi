@@ -2,7 +2,8 @@
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
 from spear.typing import (
-    AsyncClassPath, AsyncObjectPath, AsyncPath, AsyncValuePath, ClassPath, Future, ObjectPath, Path, Property, SendProperty, StructPath,
+    AsyncClassPath, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, ClassPath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty,
+    SendProperty, StructPath,
 )
 from ..CoreUObject._Intrinsic import UClass
 from ..CoreUObject._NoExportTypes import FLinearColor_async, FLinearColor_in, FLinearColor_path, UObject, UObject_async, UObject_members, UObject_send
@@ -95,7 +96,7 @@ class UEngine_members(UObject_members):
 
     Unreal: UEngine.LightingOnlyBrightness (FLinearColor)
     """
-    TimeSinceLastPendingKillPurge: Property[Path[float], float | Future[float]]
+    TimeSinceLastPendingKillPurge: FloatProperty
     """When we last did a full garbage collection, in seconds of the engine's clock.
 
     Unreal: UEngine.TimeSinceLastPendingKillPurge (float)
@@ -117,7 +118,7 @@ class UEngine_async(UObject_async):
     """The viewport of the game; there may be none."""
     LightingOnlyBrightness: Property[FLinearColor_async, FLinearColor_in]
     """Colour of "lighting only" views."""
-    TimeSinceLastPendingKillPurge: Property[AsyncPath[float], float | Future[float]]
+    TimeSinceLastPendingKillPurge: AsyncFloatProperty
     """When we last did a full garbage collection, in seconds of the engine's clock."""
 
 class UEngine_send(UObject_send):
@@ -129,7 +130,7 @@ class UEngine_send(UObject_send):
     DefaultGameModeClass: SendProperty[type[AGameModeBase] | UClass | str | Future[UClass] | None]
     GameViewport: SendProperty[UGameViewportClient | Future[UGameViewportClient] | None]
     LightingOnlyBrightness: SendProperty[FLinearColor_in]
-    TimeSinceLastPendingKillPurge: SendProperty[float | Future[float]]
+    TimeSinceLastPendingKillPurge: SendFloatProperty
 
 class UEngine(UEngine_members, UObject):
     """Abstract base class of all Engine classes, responsible for management of systems critical to editor or game

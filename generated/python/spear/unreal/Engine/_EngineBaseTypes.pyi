@@ -3,7 +3,10 @@ from collections.abc import Sequence
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import ArrayPath, AsyncArrayPath, AsyncPath, AsyncValuePath, Future, Path, Property, StructPath, ValuePath
+from spear.typing import (
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncPath, AsyncStrProperty, AsyncValuePath, BoolProperty,
+    FloatProperty, Future, IntProperty, Path, Property, StrProperty, StructPath, ValuePath,
+)
 
 class ETickingGroup(UnrealEnum):
     """Determines which ticking group a tick function belongs to. Groups run in this order, each to its end, once per
@@ -112,17 +115,17 @@ class FTickFunction_members:
     """Defines the tick group that this tick function must finish in. These groups determine the relative order of
     when objects tick during a frame update.
     """
-    bTickEvenWhenPaused: Property[Path[bool], bool | Future[bool]]
+    bTickEvenWhenPaused: BoolProperty
     """Bool indicating that this function should execute even if the game is paused. Pause ticks are very limited in
     capabilities.
     """
-    bCanEverTick: Property[Path[bool], bool | Future[bool]]
+    bCanEverTick: BoolProperty
     """If false, this tick function will never be registered and will never tick. Only settable in defaults."""
-    bStartWithTickEnabled: Property[Path[bool], bool | Future[bool]]
+    bStartWithTickEnabled: BoolProperty
     """If true, this tick function will start enabled, but can be disabled later on."""
-    bAllowTickOnDedicatedServer: Property[Path[bool], bool | Future[bool]]
+    bAllowTickOnDedicatedServer: BoolProperty
     """If we allow this tick to run on a dedicated server."""
-    TickInterval: Property[Path[float], float | Future[float]]
+    TickInterval: FloatProperty
     """The frequency in seconds at which this tick function will be executed. If less than or equal to 0 then it will
     tick every frame.
     """
@@ -131,11 +134,11 @@ class FTickFunction_async_members:
     """The fields of FTickFunction, as paths under ``async_``."""
     TickGroup: Property[AsyncValuePath[ETickingGroup, ETickingGroup_in], ETickingGroup_in]
     EndTickGroup: Property[AsyncValuePath[ETickingGroup, ETickingGroup_in], ETickingGroup_in]
-    bTickEvenWhenPaused: Property[AsyncPath[bool], bool | Future[bool]]
-    bCanEverTick: Property[AsyncPath[bool], bool | Future[bool]]
-    bStartWithTickEnabled: Property[AsyncPath[bool], bool | Future[bool]]
-    bAllowTickOnDedicatedServer: Property[AsyncPath[bool], bool | Future[bool]]
-    TickInterval: Property[AsyncPath[float], float | Future[float]]
+    bTickEvenWhenPaused: AsyncBoolProperty
+    bCanEverTick: AsyncBoolProperty
+    bStartWithTickEnabled: AsyncBoolProperty
+    bAllowTickOnDedicatedServer: AsyncBoolProperty
+    TickInterval: AsyncFloatProperty
 
 class FTickFunction_path(StructPath[FTickFunction, FTickFunction_in, FTickFunction_async], FTickFunction_members):
     """A variable of type FTickFunction: its path."""
@@ -233,30 +236,30 @@ FURL_in: TypeAlias = FURL | FURL_dict | Future[FURL]
 
 class FURL_path(StructPath[FURL, FURL_in, FURL_async]):
     """A variable of type FURL: its path."""
-    Protocol: Property[Path[str], str | Future[str]]
+    Protocol: StrProperty
     """Protocol, i.e. "unreal" or "http"."""
-    Host: Property[Path[str], str | Future[str]]
+    Host: StrProperty
     """Optional hostname, i.e. "204.157.115.40" or "unreal.epicgames.com", blank if local."""
-    Port: Property[Path[int], int | Future[int]]
+    Port: IntProperty
     """Optional host port."""
-    Valid: Property[Path[int], int | Future[int]]
+    Valid: IntProperty
     """Whether the URL could be parsed."""
-    Map: Property[Path[str], str | Future[str]]
+    Map: StrProperty
     """Map name, i.e. "SkyCity", default is "Entry"."""
-    RedirectURL: Property[Path[str], str | Future[str]]
+    RedirectURL: StrProperty
     """Optional place to download Map if client does not possess it."""
     Op: Property[ArrayPath[str, str | Future[str], Path[str], AsyncPath[str]], Sequence[str | Future[str]] | Future[list[str]]]
     """Options, each "Name=Value" or "Name"."""
-    Portal: Property[Path[str], str | Future[str]]
+    Portal: StrProperty
     """Portal to enter through, default is ""."""
 
 class FURL_async(AsyncValuePath[FURL, FURL_in]):
     """The same under ``async_``."""
-    Protocol: Property[AsyncPath[str], str | Future[str]]
-    Host: Property[AsyncPath[str], str | Future[str]]
-    Port: Property[AsyncPath[int], int | Future[int]]
-    Valid: Property[AsyncPath[int], int | Future[int]]
-    Map: Property[AsyncPath[str], str | Future[str]]
-    RedirectURL: Property[AsyncPath[str], str | Future[str]]
+    Protocol: AsyncStrProperty
+    Host: AsyncStrProperty
+    Port: AsyncIntProperty
+    Valid: AsyncIntProperty
+    Map: AsyncStrProperty
+    RedirectURL: AsyncStrProperty
     Op: Property[AsyncArrayPath[str, str | Future[str], AsyncPath[str]], Sequence[str | Future[str]] | Future[list[str]]]
-    Portal: Property[AsyncPath[str], str | Future[str]]
+    Portal: AsyncStrProperty

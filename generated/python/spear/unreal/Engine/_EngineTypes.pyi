@@ -2,7 +2,7 @@
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath, ValuePath
+from spear.typing import AsyncBoolProperty, AsyncValuePath, BoolProperty, Future, Property, StructPath, ValuePath
 from ..CoreUObject._Intrinsic import FScriptDelegate
 
 class ETeleportType(UnrealEnum):
@@ -498,18 +498,18 @@ FLightingChannels_in: TypeAlias = FLightingChannels | FLightingChannels_dict | F
 
 class FLightingChannels_path(StructPath[FLightingChannels, FLightingChannels_in, FLightingChannels_async]):
     """A variable of type FLightingChannels: its path."""
-    bChannel0: Property[Path[bool], bool | Future[bool]]
+    bChannel0: BoolProperty
     """Default channel for all primitives and lights."""
-    bChannel1: Property[Path[bool], bool | Future[bool]]
+    bChannel1: BoolProperty
     """First custom channel."""
-    bChannel2: Property[Path[bool], bool | Future[bool]]
+    bChannel2: BoolProperty
     """Second custom channel."""
 
 class FLightingChannels_async(AsyncValuePath[FLightingChannels, FLightingChannels_in]):
     """The same under ``async_``."""
-    bChannel0: Property[AsyncPath[bool], bool | Future[bool]]
-    bChannel1: Property[AsyncPath[bool], bool | Future[bool]]
-    bChannel2: Property[AsyncPath[bool], bool | Future[bool]]
+    bChannel0: AsyncBoolProperty
+    bChannel1: AsyncBoolProperty
+    bChannel2: AsyncBoolProperty
 
 FTimerDynamicDelegate: TypeAlias = FScriptDelegate
 """Delegate of a timer that is bound to a reflected function.

@@ -1,25 +1,25 @@
 # generated, do not edit (Engine: Public/GameFramework/FloatingPawnMovement.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, ObjectPath, SendFloatProperty
 from ._PawnMovementComponent import UPawnMovementComponent, UPawnMovementComponent_async, UPawnMovementComponent_members, UPawnMovementComponent_send
 
 class UFloatingPawnMovement_members(UPawnMovementComponent_members):
     """Functions and variables of UFloatingPawnMovement."""
-    MaxSpeed: Property[Path[float], float | Future[float]]
+    MaxSpeed: FloatProperty
     """Maximum velocity magnitude allowed for the controlled Pawn, in centimetres per second.
 
     Unreal: UFloatingPawnMovement.MaxSpeed (float)
     """
-    Acceleration: Property[Path[float], float | Future[float]]
+    Acceleration: FloatProperty
     """Acceleration applied by input (rate of change of velocity), in centimetres per second squared.
 
     Unreal: UFloatingPawnMovement.Acceleration (float)
     """
-    Deceleration: Property[Path[float], float | Future[float]]
+    Deceleration: FloatProperty
     """Deceleration applied when there is no input (rate of change of velocity), in centimetres per second squared.
 
     Unreal: UFloatingPawnMovement.Deceleration (float)
     """
-    TurningBoost: Property[Path[float], float | Future[float]]
+    TurningBoost: FloatProperty
     """Setting affecting extra force applied when changing direction, making turns have less drift and become more
     responsive.
 
@@ -30,21 +30,21 @@ class UFloatingPawnMovement_members(UPawnMovementComponent_members):
 
 class UFloatingPawnMovement_async(UPawnMovementComponent_async):
     """UFloatingPawnMovement under ``async_``: each function gives a future."""
-    MaxSpeed: Property[AsyncPath[float], float | Future[float]]
+    MaxSpeed: AsyncFloatProperty
     """Maximum velocity magnitude allowed for the controlled Pawn, in centimetres per second."""
-    Acceleration: Property[AsyncPath[float], float | Future[float]]
+    Acceleration: AsyncFloatProperty
     """Acceleration applied by input (rate of change of velocity), in centimetres per second squared."""
-    Deceleration: Property[AsyncPath[float], float | Future[float]]
+    Deceleration: AsyncFloatProperty
     """Deceleration applied when there is no input (rate of change of velocity), in centimetres per second squared."""
-    TurningBoost: Property[AsyncPath[float], float | Future[float]]
+    TurningBoost: AsyncFloatProperty
     """Setting affecting extra force applied when changing direction, making turns have less drift and become more responsive."""
 
 class UFloatingPawnMovement_send(UPawnMovementComponent_send):
     """UFloatingPawnMovement under ``send_``: no function answers."""
-    MaxSpeed: SendProperty[float | Future[float]]
-    Acceleration: SendProperty[float | Future[float]]
-    Deceleration: SendProperty[float | Future[float]]
-    TurningBoost: SendProperty[float | Future[float]]
+    MaxSpeed: SendFloatProperty
+    Acceleration: SendFloatProperty
+    Deceleration: SendFloatProperty
+    TurningBoost: SendFloatProperty
 
 class UFloatingPawnMovement(UFloatingPawnMovement_members, UPawnMovementComponent):
     """FloatingPawnMovement is a movement component that provides simple movement for any Pawn class. Limits on speed

@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/GameFramework/GameModeBase.h)
-from spear.typing import AsyncClassPath, AsyncObjectPath, AsyncPath, ClassPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncClassPath, AsyncObjectPath, AsyncStrProperty, BoolProperty, ClassPath, Future, ObjectPath, Property, SendBoolProperty,
+    SendProperty, SendStrProperty, StrProperty,
+)
 from ..CoreUObject._Intrinsic import UClass
 from ..CoreUObject._NoExportTypes import FTransform_in
 from ._Actor import AActor
@@ -111,7 +114,7 @@ class AGameModeBase_members(AInfo_members):
 
         Unreal: AGameModeBase.StartPlay
         """
-    OptionsString: Property[Path[str], str | Future[str]]
+    OptionsString: StrProperty
     """Save options string and parse it when needed.
 
     Unreal: AGameModeBase.OptionsString (FString)
@@ -142,17 +145,17 @@ class AGameModeBase_members(AInfo_members):
 
     Unreal: AGameModeBase.GameState (AGameStateBase*)
     """
-    DefaultPlayerNameText: Property[Path[str], str | Future[str]]
+    DefaultPlayerNameText: StrProperty
     """The default player name assigned to players that join with no name specified.
 
     Unreal: AGameModeBase.DefaultPlayerNameText (FString)
     """
-    bStartPlayersAsSpectators: Property[Path[bool], bool | Future[bool]]
+    bStartPlayersAsSpectators: BoolProperty
     """Whether players should immediately spawn when logging in, or stay as spectators until they manually spawn.
 
     Unreal: AGameModeBase.bStartPlayersAsSpectators (bool)
     """
-    bPauseable: Property[Path[bool], bool | Future[bool]]
+    bPauseable: BoolProperty
     """Whether the game is pauseable.
 
     Unreal: AGameModeBase.bPauseable (bool)
@@ -196,7 +199,7 @@ class AGameModeBase_async(AInfo_async):
         """Called during RestartPlayer to actually spawn the player's pawn, when using a start spot."""
     def StartPlay(self) -> Future[None]:
         """Transitions to calls BeginPlay on actors."""
-    OptionsString: Property[AsyncPath[str], str | Future[str]]
+    OptionsString: AsyncStrProperty
     """Save options string and parse it when needed."""
     GameStateClass: Property[AsyncClassPath[UClass, type[AGameStateBase] | UClass | str | Future[UClass] | None], type[AGameStateBase] | UClass | str | Future[UClass] | None]
     """Class of GameState associated with this GameMode."""
@@ -208,11 +211,11 @@ class AGameModeBase_async(AInfo_async):
     """The default pawn class used by players."""
     GameState: Property[AGameStateBase_async_path, AGameStateBase | Future[AGameStateBase] | None]
     """GameState is used to replicate game state relevant properties to all clients."""
-    DefaultPlayerNameText: Property[AsyncPath[str], str | Future[str]]
+    DefaultPlayerNameText: AsyncStrProperty
     """The default player name assigned to players that join with no name specified."""
-    bStartPlayersAsSpectators: Property[AsyncPath[bool], bool | Future[bool]]
+    bStartPlayersAsSpectators: AsyncBoolProperty
     """Whether players should immediately spawn when logging in, or stay as spectators until they manually spawn."""
-    bPauseable: Property[AsyncPath[bool], bool | Future[bool]]
+    bPauseable: AsyncBoolProperty
     """Whether the game is pauseable."""
 
 class AGameModeBase_send(AInfo_send):
@@ -253,15 +256,15 @@ class AGameModeBase_send(AInfo_send):
         """Called during RestartPlayer to actually spawn the player's pawn, when using a start spot."""
     def StartPlay(self) -> None:
         """Transitions to calls BeginPlay on actors."""
-    OptionsString: SendProperty[str | Future[str]]
+    OptionsString: SendStrProperty
     GameStateClass: SendProperty[type[AGameStateBase] | UClass | str | Future[UClass] | None]
     PlayerControllerClass: SendProperty[type[APlayerController] | UClass | str | Future[UClass] | None]
     PlayerStateClass: SendProperty[type[APlayerState] | UClass | str | Future[UClass] | None]
     DefaultPawnClass: SendProperty[type[APawn] | UClass | str | Future[UClass] | None]
     GameState: SendProperty[AGameStateBase | Future[AGameStateBase] | None]
-    DefaultPlayerNameText: SendProperty[str | Future[str]]
-    bStartPlayersAsSpectators: SendProperty[bool | Future[bool]]
-    bPauseable: SendProperty[bool | Future[bool]]
+    DefaultPlayerNameText: SendStrProperty
+    bStartPlayersAsSpectators: SendBoolProperty
+    bPauseable: SendBoolProperty
 
 class AGameModeBase(AGameModeBase_members, AInfo):
     """The GameModeBase defines the game being played. It governs the game rules, scoring, what actors are allowed to

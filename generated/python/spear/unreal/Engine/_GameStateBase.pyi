@@ -1,7 +1,8 @@
 # generated, do not edit (Engine: Public/GameFramework/GameStateBase.h)
 from collections.abc import Sequence
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncClassPath, AsyncObjectPath, AsyncPath, ClassPath, Future, ObjectPath, Path, Property, SendProperty,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncClassPath, AsyncObjectPath, BoolProperty, ClassPath, Future, ObjectPath, Property,
+    SendBoolProperty, SendProperty,
 )
 from ..CoreUObject._Intrinsic import UClass
 from ._Controller import AController
@@ -46,7 +47,7 @@ class AGameStateBase_members(AInfo_members):
 
     Unreal: AGameStateBase.PlayerArray (TArray<APlayerState*>)
     """
-    bReplicatedHasBegunPlay: Property[Path[bool], bool | Future[bool]]
+    bReplicatedHasBegunPlay: BoolProperty
     """True if BeginPlay has been called.
 
     Unreal: AGameStateBase.bReplicatedHasBegunPlay (bool)
@@ -68,7 +69,7 @@ class AGameStateBase_async(AInfo_async):
     """Instance of the current game mode, exists only on the server."""
     PlayerArray: Property[AsyncArrayPath[APlayerState | None, APlayerState | Future[APlayerState] | None, APlayerState_async_path], Sequence[APlayerState | Future[APlayerState] | None] | Future[list[APlayerState | None]]]
     """Array of all PlayerStates, maintained on both server and clients (PlayerStates are always relevant)."""
-    bReplicatedHasBegunPlay: Property[AsyncPath[bool], bool | Future[bool]]
+    bReplicatedHasBegunPlay: AsyncBoolProperty
     """True if BeginPlay has been called."""
 
 class AGameStateBase_send(AInfo_send):
@@ -84,7 +85,7 @@ class AGameStateBase_send(AInfo_send):
     GameModeClass: SendProperty[type[AGameModeBase] | UClass | str | Future[UClass] | None]
     AuthorityGameMode: SendProperty[AGameModeBase | Future[AGameModeBase] | None]
     PlayerArray: SendProperty[Sequence[APlayerState | Future[APlayerState] | None] | Future[list[APlayerState | None]]]
-    bReplicatedHasBegunPlay: SendProperty[bool | Future[bool]]
+    bReplicatedHasBegunPlay: SendBoolProperty
 
 class AGameStateBase(AGameStateBase_members, AInfo):
     """GameStateBase is a class that manages the game's global state, and is spawned by GameModeBase.

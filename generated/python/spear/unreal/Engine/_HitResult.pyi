@@ -1,7 +1,10 @@
 # generated, do not edit (Engine: Public/Engine/HitResult.h)
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncStrProperty, AsyncValuePath, BoolProperty, FloatProperty, Future, IntProperty,
+    Property, StrProperty, StructPath,
+)
 from ._ActorInstanceHandle import FActorInstanceHandle, FActorInstanceHandle_async, FActorInstanceHandle_in, FActorInstanceHandle_path
 from ._NetSerialization import (
     FVector_NetQuantize, FVector_NetQuantizeNormal, FVector_NetQuantizeNormal_async, FVector_NetQuantizeNormal_in, FVector_NetQuantizeNormal_path,
@@ -96,13 +99,13 @@ FHitResult_in: TypeAlias = FHitResult | FHitResult_dict | Future[FHitResult]
 
 class FHitResult_path(StructPath[FHitResult, FHitResult_in, FHitResult_async]):
     """A variable of type FHitResult: its path."""
-    FaceIndex: Property[Path[int], int | Future[int]]
+    FaceIndex: IntProperty
     """Face index we hit (for complex hits with triangle meshes)."""
-    Time: Property[Path[float], float | Future[float]]
+    Time: FloatProperty
     """'Time' of impact along trace direction (ranging from 0.0 to 1.0) if there is a hit, indicating time between
     TraceStart and TraceEnd. 1 if there was no hit.
     """
-    Distance: Property[Path[float], float | Future[float]]
+    Distance: FloatProperty
     """The distance from the TraceStart to the Location in world space."""
     Location: Property[FVector_NetQuantize_path, FVector_NetQuantize_in]
     """The location in world space where the moving shape would end up against the impacted object, if there is a
@@ -122,49 +125,49 @@ class FHitResult_path(StructPath[FHitResult, FHitResult_in, FHitResult_async]):
     """End location of the trace; this is NOT where the impact occurred (if any), but the furthest point in the
     attempted sweep.
     """
-    PenetrationDepth: Property[Path[float], float | Future[float]]
+    PenetrationDepth: FloatProperty
     """If this test started in penetration (bStartPenetrating is true) and a depenetration vector can be computed,
     this value is the distance along Normal that will result in moving out of penetration.
     """
-    MyItem: Property[Path[int], int | Future[int]]
+    MyItem: IntProperty
     """If the colliding object was part of the moving one: its item, else -1."""
-    Item: Property[Path[int], int | Future[int]]
+    Item: IntProperty
     """Extra data about item that was hit (hit primitive specific)."""
-    ElementIndex: Property[Path[int], int | Future[int]]
+    ElementIndex: IntProperty
     """Index to item that was hit, also hit primitive specific."""
-    bBlockingHit: Property[Path[bool], bool | Future[bool]]
+    bBlockingHit: BoolProperty
     """Indicates if this hit was a result of blocking collision. If false, there was no hit or it was an
     overlap/touch instead.
     """
-    bStartPenetrating: Property[Path[bool], bool | Future[bool]]
+    bStartPenetrating: BoolProperty
     """Whether the trace started in penetration, i.e. with an initial blocking overlap."""
     HitObjectHandle: Property[FActorInstanceHandle_path, FActorInstanceHandle_in]
     """Handle to the object hit by the trace."""
     Component: Property[UPrimitiveComponent_path, UPrimitiveComponent | Future[UPrimitiveComponent] | None]
     """PrimitiveComponent hit by the trace."""
-    BoneName: Property[Path[str], str | Future[str]]
+    BoneName: StrProperty
     """Name of bone we hit (for skeletal meshes)."""
-    MyBoneName: Property[Path[str], str | Future[str]]
+    MyBoneName: StrProperty
     """Name of the _my_ bone which took part in hit event (in case of two skeletal meshes colliding)."""
 
 class FHitResult_async(AsyncValuePath[FHitResult, FHitResult_in]):
     """The same under ``async_``."""
-    FaceIndex: Property[AsyncPath[int], int | Future[int]]
-    Time: Property[AsyncPath[float], float | Future[float]]
-    Distance: Property[AsyncPath[float], float | Future[float]]
+    FaceIndex: AsyncIntProperty
+    Time: AsyncFloatProperty
+    Distance: AsyncFloatProperty
     Location: Property[FVector_NetQuantize_async, FVector_NetQuantize_in]
     ImpactPoint: Property[FVector_NetQuantize_async, FVector_NetQuantize_in]
     Normal: Property[FVector_NetQuantizeNormal_async, FVector_NetQuantizeNormal_in]
     ImpactNormal: Property[FVector_NetQuantizeNormal_async, FVector_NetQuantizeNormal_in]
     TraceStart: Property[FVector_NetQuantize_async, FVector_NetQuantize_in]
     TraceEnd: Property[FVector_NetQuantize_async, FVector_NetQuantize_in]
-    PenetrationDepth: Property[AsyncPath[float], float | Future[float]]
-    MyItem: Property[AsyncPath[int], int | Future[int]]
-    Item: Property[AsyncPath[int], int | Future[int]]
-    ElementIndex: Property[AsyncPath[int], int | Future[int]]
-    bBlockingHit: Property[AsyncPath[bool], bool | Future[bool]]
-    bStartPenetrating: Property[AsyncPath[bool], bool | Future[bool]]
+    PenetrationDepth: AsyncFloatProperty
+    MyItem: AsyncIntProperty
+    Item: AsyncIntProperty
+    ElementIndex: AsyncIntProperty
+    bBlockingHit: AsyncBoolProperty
+    bStartPenetrating: AsyncBoolProperty
     HitObjectHandle: Property[FActorInstanceHandle_async, FActorInstanceHandle_in]
     Component: Property[UPrimitiveComponent_async_path, UPrimitiveComponent | Future[UPrimitiveComponent] | None]
-    BoneName: Property[AsyncPath[str], str | Future[str]]
-    MyBoneName: Property[AsyncPath[str], str | Future[str]]
+    BoneName: AsyncStrProperty
+    MyBoneName: AsyncStrProperty

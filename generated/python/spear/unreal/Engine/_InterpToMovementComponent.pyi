@@ -4,7 +4,8 @@ from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, StructPath, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future,
+    ObjectPath, Property, SendFloatProperty, SendProperty, StructPath, ValuePath,
 )
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in
 from ..CoreUObject._NoExportTypes import FVector, FVector_async, FVector_in, FVector_path
@@ -50,13 +51,13 @@ class FInterpControlPoint_path(StructPath[FInterpControlPoint, FInterpControlPoi
     """A variable of type FInterpControlPoint: its path."""
     PositionControlPoint: Property[FVector_path, FVector_in]
     """Location of the control point, in centimetres."""
-    bPositionIsRelative: Property[Path[bool], bool | Future[bool]]
+    bPositionIsRelative: BoolProperty
     """Whether the position is relative to where the component started, or absolute."""
 
 class FInterpControlPoint_async(AsyncValuePath[FInterpControlPoint, FInterpControlPoint_in]):
     """The same under ``async_``."""
     PositionControlPoint: Property[FVector_async, FVector_in]
-    bPositionIsRelative: Property[AsyncPath[bool], bool | Future[bool]]
+    bPositionIsRelative: AsyncBoolProperty
 
 FOnInterpToReverseDelegate: TypeAlias = list[FScriptDelegate]
 """Broadcast when the component changes direction, at a time along the path (0 to 1).
@@ -104,7 +105,7 @@ class UInterpToMovementComponent_members(UMovementComponent_members):
 
         Unreal: UInterpToMovementComponent.RestartMovement
         """
-    Duration: Property[Path[float], float | Future[float]]
+    Duration: FloatProperty
     """How long to take to move from the first point to the last, in seconds.
 
     Unreal: UInterpToMovementComponent.Duration (float)
@@ -151,7 +152,7 @@ class UInterpToMovementComponent_async(UMovementComponent_async):
         """Removes all control points."""
     def RestartMovement(self, InitialDirection: float | Future[float] = 1.0) -> Future[None]:
         """Starts again from the first point (direction 1) or from the last one backwards (direction -1)."""
-    Duration: Property[AsyncPath[float], float | Future[float]]
+    Duration: AsyncFloatProperty
     """How long to take to move from the first point to the last, in seconds."""
     BehaviourType: Property[AsyncValuePath[EInterpToBehaviourType, EInterpToBehaviourType_in], EInterpToBehaviourType_in]
     """What happens at the end of the path."""
@@ -174,7 +175,7 @@ class UInterpToMovementComponent_send(UMovementComponent_send):
         """Removes all control points."""
     def RestartMovement(self, InitialDirection: float | Future[float] = 1.0) -> None:
         """Starts again from the first point (direction 1) or from the last one backwards (direction -1)."""
-    Duration: SendProperty[float | Future[float]]
+    Duration: SendFloatProperty
     BehaviourType: SendProperty[EInterpToBehaviourType_in]
     ControlPoints: SendProperty[Sequence[FInterpControlPoint_in] | Future[list[FInterpControlPoint]]]
     OnInterpToReverse: SendProperty[Sequence[FScriptDelegate_in] | None]

@@ -1,7 +1,7 @@
 # generated, do not edit (Engine: Public/Engine/LatentActionManager.h)
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath
+from spear.typing import AsyncIntProperty, AsyncStrProperty, AsyncValuePath, Future, IntProperty, Property, StrProperty, StructPath
 from ..CoreUObject._NoExportTypes import UObject, UObject_async_path, UObject_path
 
 class FLatentActionInfo(Struct):
@@ -31,20 +31,20 @@ FLatentActionInfo_in: TypeAlias = FLatentActionInfo | FLatentActionInfo_dict | F
 
 class FLatentActionInfo_path(StructPath[FLatentActionInfo, FLatentActionInfo_in, FLatentActionInfo_async]):
     """A variable of type FLatentActionInfo: its path."""
-    Linkage: Property[Path[int], int | Future[int]]
+    Linkage: IntProperty
     """The resume point within the function to execute. INDEX_NONE: nothing to call."""
-    UUID: Property[Path[int], int | Future[int]]
+    UUID: IntProperty
     """The UUID for this action: one pending action of an object per UUID."""
-    ExecutionFunction: Property[Path[str], str | Future[str]]
+    ExecutionFunction: StrProperty
     """The function to execute; takes one int32, the Linkage."""
     CallbackTarget: Property[UObject_path, UObject | Future[UObject] | None]
     """Object to execute the function on."""
 
 class FLatentActionInfo_async(AsyncValuePath[FLatentActionInfo, FLatentActionInfo_in]):
     """The same under ``async_``."""
-    Linkage: Property[AsyncPath[int], int | Future[int]]
-    UUID: Property[AsyncPath[int], int | Future[int]]
-    ExecutionFunction: Property[AsyncPath[str], str | Future[str]]
+    Linkage: AsyncIntProperty
+    UUID: AsyncIntProperty
+    ExecutionFunction: AsyncStrProperty
     CallbackTarget: Property[UObject_async_path, UObject | Future[UObject] | None]
 
 class FLatentActionManager(Struct):

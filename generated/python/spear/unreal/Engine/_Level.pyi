@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/Engine/Level.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncBoolProperty, AsyncObjectPath, BoolProperty, Future, ObjectPath, Property, SendBoolProperty, SendProperty
 from ..CoreUObject._NoExportTypes import UObject, UObject_async, UObject_members, UObject_send
 from ._World import UWorld, UWorld_async_path, UWorld_path
 from ._WorldSettings import AWorldSettings, AWorldSettings_async_path, AWorldSettings_path
@@ -11,7 +11,7 @@ class ULevel_members(UObject_members):
 
     Unreal: ULevel.OwningWorld (UWorld*)
     """
-    bIsVisible: Property[Path[bool], bool | Future[bool]]
+    bIsVisible: BoolProperty
     """Whether the level is currently visible/ associated with the world.
 
     Unreal: ULevel.bIsVisible (bool)
@@ -26,7 +26,7 @@ class ULevel_async(UObject_async):
     """ULevel under ``async_``: each function gives a future."""
     OwningWorld: Property[UWorld_async_path, UWorld | Future[UWorld] | None]
     """The World that has this level in its Levels array."""
-    bIsVisible: Property[AsyncPath[bool], bool | Future[bool]]
+    bIsVisible: AsyncBoolProperty
     """Whether the level is currently visible/ associated with the world."""
     WorldSettings: Property[AWorldSettings_async_path, AWorldSettings | Future[AWorldSettings] | None]
     """Actor that holds the settings of the level."""
@@ -34,7 +34,7 @@ class ULevel_async(UObject_async):
 class ULevel_send(UObject_send):
     """ULevel under ``send_``: no function answers."""
     OwningWorld: SendProperty[UWorld | Future[UWorld] | None]
-    bIsVisible: SendProperty[bool | Future[bool]]
+    bIsVisible: SendBoolProperty
     WorldSettings: SendProperty[AWorldSettings | Future[AWorldSettings] | None]
 
 class ULevel(ULevel_members, UObject):

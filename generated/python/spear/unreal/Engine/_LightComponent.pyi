@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/Components/LightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, ObjectPath, Property, SendBoolProperty,
+    SendFloatProperty, SendProperty,
+)
 from ..CoreUObject._NoExportTypes import FLinearColor_in
 from ._EngineTypes import FLightingChannels_async, FLightingChannels_in, FLightingChannels_path
 from ._LightComponentBase import ULightComponentBase, ULightComponentBase_async, ULightComponentBase_members, ULightComponentBase_send
@@ -70,42 +73,42 @@ class ULightComponent_members(ULightComponentBase_members):
 
         Unreal: ULightComponent.SetVolumetricScatteringIntensity
         """
-    Temperature: Property[Path[float], float | Future[float]]
+    Temperature: FloatProperty
     """Colour temperature in kelvin of the blackbody illuminant. White (D65) is 6500 K.
 
     Unreal: ULightComponent.Temperature (float)
     """
-    MaxDrawDistance: Property[Path[float], float | Future[float]]
+    MaxDrawDistance: FloatProperty
     """Distance at which the light is culled, in centimetres. 0 disables it.
 
     Unreal: ULightComponent.MaxDrawDistance (float)
     """
-    MaxDistanceFadeRange: Property[Path[float], float | Future[float]]
+    MaxDistanceFadeRange: FloatProperty
     """Distance over which the light fades before MaxDrawDistance, in centimetres.
 
     Unreal: ULightComponent.MaxDistanceFadeRange (float)
     """
-    bUseTemperature: Property[Path[bool], bool | Future[bool]]
+    bUseTemperature: BoolProperty
     """Whether the temperature, as a blackbody colour, multiplies the light colour.
 
     Unreal: ULightComponent.bUseTemperature (bool)
     """
-    ShadowBias: Property[Path[float], float | Future[float]]
+    ShadowBias: FloatProperty
     """Controls how accurate self shadowing of the whole scene's shadows from this light is.
 
     Unreal: ULightComponent.ShadowBias (float)
     """
-    ShadowSlopeBias: Property[Path[float], float | Future[float]]
+    ShadowSlopeBias: FloatProperty
     """Controls how accurate self shadowing is on slopes.
 
     Unreal: ULightComponent.ShadowSlopeBias (float)
     """
-    SpecularScale: Property[Path[float], float | Future[float]]
+    SpecularScale: FloatProperty
     """Multiplier on specular highlights. Use only with great care: any value besides 1 is not physical.
 
     Unreal: ULightComponent.SpecularScale (float)
     """
-    DiffuseScale: Property[Path[float], float | Future[float]]
+    DiffuseScale: FloatProperty
     """Multiplier on diffuse lighting. Use only with great care: any value besides 1 is not physical.
 
     Unreal: ULightComponent.DiffuseScale (float)
@@ -142,21 +145,21 @@ class ULightComponent_async(ULightComponentBase_async):
         """Sets whether the colour temperature counts."""
     def SetVolumetricScatteringIntensity(self, NewIntensity: float | Future[float]) -> Future[None]:
         """Sets the scale of the volumetric scattering."""
-    Temperature: Property[AsyncPath[float], float | Future[float]]
+    Temperature: AsyncFloatProperty
     """Colour temperature in kelvin of the blackbody illuminant."""
-    MaxDrawDistance: Property[AsyncPath[float], float | Future[float]]
+    MaxDrawDistance: AsyncFloatProperty
     """Distance at which the light is culled, in centimetres. 0 disables it."""
-    MaxDistanceFadeRange: Property[AsyncPath[float], float | Future[float]]
+    MaxDistanceFadeRange: AsyncFloatProperty
     """Distance over which the light fades before MaxDrawDistance, in centimetres."""
-    bUseTemperature: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseTemperature: AsyncBoolProperty
     """Whether the temperature, as a blackbody colour, multiplies the light colour."""
-    ShadowBias: Property[AsyncPath[float], float | Future[float]]
+    ShadowBias: AsyncFloatProperty
     """Controls how accurate self shadowing of the whole scene's shadows from this light is."""
-    ShadowSlopeBias: Property[AsyncPath[float], float | Future[float]]
+    ShadowSlopeBias: AsyncFloatProperty
     """Controls how accurate self shadowing is on slopes."""
-    SpecularScale: Property[AsyncPath[float], float | Future[float]]
+    SpecularScale: AsyncFloatProperty
     """Multiplier on specular highlights."""
-    DiffuseScale: Property[AsyncPath[float], float | Future[float]]
+    DiffuseScale: AsyncFloatProperty
     """Multiplier on diffuse lighting."""
     LightingChannels: Property[FLightingChannels_async, FLightingChannels_in]
     """Channels that this light should affect."""
@@ -187,14 +190,14 @@ class ULightComponent_send(ULightComponentBase_send):
         """Sets whether the colour temperature counts."""
     def SetVolumetricScatteringIntensity(self, NewIntensity: float | Future[float]) -> None:
         """Sets the scale of the volumetric scattering."""
-    Temperature: SendProperty[float | Future[float]]
-    MaxDrawDistance: SendProperty[float | Future[float]]
-    MaxDistanceFadeRange: SendProperty[float | Future[float]]
-    bUseTemperature: SendProperty[bool | Future[bool]]
-    ShadowBias: SendProperty[float | Future[float]]
-    ShadowSlopeBias: SendProperty[float | Future[float]]
-    SpecularScale: SendProperty[float | Future[float]]
-    DiffuseScale: SendProperty[float | Future[float]]
+    Temperature: SendFloatProperty
+    MaxDrawDistance: SendFloatProperty
+    MaxDistanceFadeRange: SendFloatProperty
+    bUseTemperature: SendBoolProperty
+    ShadowBias: SendFloatProperty
+    ShadowSlopeBias: SendFloatProperty
+    SpecularScale: SendFloatProperty
+    DiffuseScale: SendFloatProperty
     LightingChannels: SendProperty[FLightingChannels_in]
 
 class ULightComponent(ULightComponent_members, ULightComponentBase):

@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/Components/LightComponentBase.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, ObjectPath, Property, SendBoolProperty,
+    SendFloatProperty, SendProperty,
+)
 from ..CoreUObject._NoExportTypes import FColor_async, FColor_in, FColor_path, FLinearColor
 from ._SceneComponent import USceneComponent, USceneComponent_async, USceneComponent_members, USceneComponent_send
 
@@ -25,7 +28,7 @@ class ULightComponentBase_members(USceneComponent_members):
 
         Unreal: ULightComponentBase.SetCastShadows
         """
-    Intensity: Property[Path[float], float | Future[float]]
+    Intensity: FloatProperty
     """Total energy that the light emits: lux for a directional light, else in the light's IntensityUnits.
 
     Unreal: ULightComponentBase.Intensity (float)
@@ -35,47 +38,47 @@ class ULightComponentBase_members(USceneComponent_members):
 
     Unreal: ULightComponentBase.LightColor (FColor)
     """
-    bAffectsWorld: Property[Path[bool], bool | Future[bool]]
+    bAffectsWorld: BoolProperty
     """Whether the light can affect the world, or whether it is disabled.
 
     Unreal: ULightComponentBase.bAffectsWorld (bool)
     """
-    CastShadows: Property[Path[bool], bool | Future[bool]]
+    CastShadows: BoolProperty
     """Whether the light should cast any shadows.
 
     Unreal: ULightComponentBase.CastShadows (bool)
     """
-    CastStaticShadows: Property[Path[bool], bool | Future[bool]]
+    CastStaticShadows: BoolProperty
     """Whether the light should cast shadows from static objects.
 
     Unreal: ULightComponentBase.CastStaticShadows (bool)
     """
-    CastDynamicShadows: Property[Path[bool], bool | Future[bool]]
+    CastDynamicShadows: BoolProperty
     """Whether the light should cast shadows from dynamic objects.
 
     Unreal: ULightComponentBase.CastDynamicShadows (bool)
     """
-    bAffectTranslucentLighting: Property[Path[bool], bool | Future[bool]]
+    bAffectTranslucentLighting: BoolProperty
     """Whether the light affects translucency or not.
 
     Unreal: ULightComponentBase.bAffectTranslucentLighting (bool)
     """
-    bAffectReflection: Property[Path[bool], bool | Future[bool]]
+    bAffectReflection: BoolProperty
     """Whether the light shows up in reflections.
 
     Unreal: ULightComponentBase.bAffectReflection (bool)
     """
-    bAffectGlobalIllumination: Property[Path[bool], bool | Future[bool]]
+    bAffectGlobalIllumination: BoolProperty
     """Whether the light affects global illumination.
 
     Unreal: ULightComponentBase.bAffectGlobalIllumination (bool)
     """
-    IndirectLightingIntensity: Property[Path[float], float | Future[float]]
+    IndirectLightingIntensity: FloatProperty
     """Scales the indirect lighting contribution from this light. A value of 0 disables it.
 
     Unreal: ULightComponentBase.IndirectLightingIntensity (float)
     """
-    VolumetricScatteringIntensity: Property[Path[float], float | Future[float]]
+    VolumetricScatteringIntensity: FloatProperty
     """Intensity of the volumetric scattering from this light. This scales Intensity and LightColor.
 
     Unreal: ULightComponentBase.VolumetricScatteringIntensity (float)
@@ -91,27 +94,27 @@ class ULightComponentBase_async(USceneComponent_async):
         """Sets whether the light shows up in reflections."""
     def SetCastShadows(self, bNewValue: bool | Future[bool]) -> Future[None]:
         """Sets whether this light casts shadows."""
-    Intensity: Property[AsyncPath[float], float | Future[float]]
+    Intensity: AsyncFloatProperty
     """Total energy that the light emits: lux for a directional light, else in the light's IntensityUnits."""
     LightColor: Property[FColor_async, FColor_in]
     """Filter colour of the light (sRGB)."""
-    bAffectsWorld: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectsWorld: AsyncBoolProperty
     """Whether the light can affect the world, or whether it is disabled."""
-    CastShadows: Property[AsyncPath[bool], bool | Future[bool]]
+    CastShadows: AsyncBoolProperty
     """Whether the light should cast any shadows."""
-    CastStaticShadows: Property[AsyncPath[bool], bool | Future[bool]]
+    CastStaticShadows: AsyncBoolProperty
     """Whether the light should cast shadows from static objects."""
-    CastDynamicShadows: Property[AsyncPath[bool], bool | Future[bool]]
+    CastDynamicShadows: AsyncBoolProperty
     """Whether the light should cast shadows from dynamic objects."""
-    bAffectTranslucentLighting: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectTranslucentLighting: AsyncBoolProperty
     """Whether the light affects translucency or not."""
-    bAffectReflection: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectReflection: AsyncBoolProperty
     """Whether the light shows up in reflections."""
-    bAffectGlobalIllumination: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectGlobalIllumination: AsyncBoolProperty
     """Whether the light affects global illumination."""
-    IndirectLightingIntensity: Property[AsyncPath[float], float | Future[float]]
+    IndirectLightingIntensity: AsyncFloatProperty
     """Scales the indirect lighting contribution from this light."""
-    VolumetricScatteringIntensity: Property[AsyncPath[float], float | Future[float]]
+    VolumetricScatteringIntensity: AsyncFloatProperty
     """Intensity of the volumetric scattering from this light."""
 
 class ULightComponentBase_send(USceneComponent_send):
@@ -124,17 +127,17 @@ class ULightComponentBase_send(USceneComponent_send):
         """Sets whether the light shows up in reflections."""
     def SetCastShadows(self, bNewValue: bool | Future[bool]) -> None:
         """Sets whether this light casts shadows."""
-    Intensity: SendProperty[float | Future[float]]
+    Intensity: SendFloatProperty
     LightColor: SendProperty[FColor_in]
-    bAffectsWorld: SendProperty[bool | Future[bool]]
-    CastShadows: SendProperty[bool | Future[bool]]
-    CastStaticShadows: SendProperty[bool | Future[bool]]
-    CastDynamicShadows: SendProperty[bool | Future[bool]]
-    bAffectTranslucentLighting: SendProperty[bool | Future[bool]]
-    bAffectReflection: SendProperty[bool | Future[bool]]
-    bAffectGlobalIllumination: SendProperty[bool | Future[bool]]
-    IndirectLightingIntensity: SendProperty[float | Future[float]]
-    VolumetricScatteringIntensity: SendProperty[float | Future[float]]
+    bAffectsWorld: SendBoolProperty
+    CastShadows: SendBoolProperty
+    CastStaticShadows: SendBoolProperty
+    CastDynamicShadows: SendBoolProperty
+    bAffectTranslucentLighting: SendBoolProperty
+    bAffectReflection: SendBoolProperty
+    bAffectGlobalIllumination: SendBoolProperty
+    IndirectLightingIntensity: SendFloatProperty
+    VolumetricScatteringIntensity: SendFloatProperty
 
 class ULightComponentBase(ULightComponentBase_members, USceneComponent):
     """What all lights, sky lights included, have in common. Epic page: ULightComponentBase.

@@ -1,5 +1,7 @@
 # generated, do not edit (Engine: Public/Components/LocalLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty, SendProperty, ValuePath,
+)
 from ._LightComponent import ULightComponent, ULightComponent_async, ULightComponent_members, ULightComponent_send
 from ._Scene import ELightUnits, ELightUnits_in
 
@@ -35,14 +37,14 @@ class ULocalLightComponent_members(ULightComponent_members):
 
     Unreal: ULocalLightComponent.IntensityUnits (ELightUnits)
     """
-    InverseExposureBlend: Property[Path[float], float | Future[float]]
+    InverseExposureBlend: FloatProperty
     """Blend factor for the inverse exposure, for lights that ignore exposure. 0 is physical.
 
     0.0 to 1.0
 
     Unreal: ULocalLightComponent.InverseExposureBlend (float)
     """
-    AttenuationRadius: Property[Path[float], float | Future[float]]
+    AttenuationRadius: FloatProperty
     """Bounds the light's visible influence, in centimetres. This clamping of the influence is not physically
     correct.
 
@@ -63,9 +65,9 @@ class ULocalLightComponent_async(ULightComponent_async):
         """Sets the blend factor for the inverse exposure."""
     IntensityUnits: Property[AsyncValuePath[ELightUnits, ELightUnits_in], ELightUnits_in]
     """Units used for the intensity."""
-    InverseExposureBlend: Property[AsyncPath[float], float | Future[float]]
+    InverseExposureBlend: AsyncFloatProperty
     """Blend factor for the inverse exposure, for lights that ignore exposure. 0 is physical."""
-    AttenuationRadius: Property[AsyncPath[float], float | Future[float]]
+    AttenuationRadius: AsyncFloatProperty
     """Bounds the light's visible influence, in centimetres."""
 
 class ULocalLightComponent_send(ULightComponent_send):
@@ -79,8 +81,8 @@ class ULocalLightComponent_send(ULightComponent_send):
     def SetInverseExposureBlend(self, NewInverseExposureBlend: float | Future[float]) -> None:
         """Sets the blend factor for the inverse exposure."""
     IntensityUnits: SendProperty[ELightUnits_in]
-    InverseExposureBlend: SendProperty[float | Future[float]]
-    AttenuationRadius: SendProperty[float | Future[float]]
+    InverseExposureBlend: SendFloatProperty
+    AttenuationRadius: SendFloatProperty
 
 class ULocalLightComponent(ULocalLightComponent_members, ULightComponent):
     """A light with a place and a reach: point, spot and rectangular lights. Epic page: ULocalLightComponent.

@@ -1,7 +1,8 @@
 # generated, do not edit (Engine: Public/Materials/Material.h)
 from collections.abc import Sequence
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future,
+    ObjectPath, Property, SendBoolProperty, SendFloatProperty, SendProperty, ValuePath,
 )
 from ._BlendMode import EBlendMode, EBlendMode_in
 from ._MaterialInstance import (
@@ -18,12 +19,12 @@ class UMaterial_members(UMaterialInterface_members):
 
     Unreal: UMaterial.BlendMode (TEnumAsByte<EBlendMode>)
     """
-    TwoSided: Property[Path[bool], bool | Future[bool]]
+    TwoSided: BoolProperty
     """Whether back faces are drawn too.
 
     Unreal: UMaterial.TwoSided (bool)
     """
-    OpacityMaskClipValue: Property[Path[float], float | Future[float]]
+    OpacityMaskClipValue: FloatProperty
     """Opacity below which a masked surface has a hole.
 
     Unreal: UMaterial.OpacityMaskClipValue (float)
@@ -39,9 +40,9 @@ class UMaterial_async(UMaterialInterface_async):
     """UMaterial under ``async_``: each function gives a future."""
     BlendMode: Property[AsyncValuePath[EBlendMode, EBlendMode_in], EBlendMode_in]
     """How the surface covers what is behind it."""
-    TwoSided: Property[AsyncPath[bool], bool | Future[bool]]
+    TwoSided: AsyncBoolProperty
     """Whether back faces are drawn too."""
-    OpacityMaskClipValue: Property[AsyncPath[float], float | Future[float]]
+    OpacityMaskClipValue: AsyncFloatProperty
     """Opacity below which a masked surface has a hole."""
     ScalarParameterDefaults: Property[AsyncArrayPath[FScalarParameterValue, FScalarParameterValue_in, FScalarParameterValue_async], Sequence[FScalarParameterValue_in] | Future[list[FScalarParameterValue]]]
     VectorParameterDefaults: Property[AsyncArrayPath[FVectorParameterValue, FVectorParameterValue_in, FVectorParameterValue_async], Sequence[FVectorParameterValue_in] | Future[list[FVectorParameterValue]]]
@@ -50,8 +51,8 @@ class UMaterial_async(UMaterialInterface_async):
 class UMaterial_send(UMaterialInterface_send):
     """UMaterial under ``send_``: no function answers."""
     BlendMode: SendProperty[EBlendMode_in]
-    TwoSided: SendProperty[bool | Future[bool]]
-    OpacityMaskClipValue: SendProperty[float | Future[float]]
+    TwoSided: SendBoolProperty
+    OpacityMaskClipValue: SendFloatProperty
     ScalarParameterDefaults: SendProperty[Sequence[FScalarParameterValue_in] | Future[list[FScalarParameterValue]]]
     VectorParameterDefaults: SendProperty[Sequence[FVectorParameterValue_in] | Future[list[FVectorParameterValue]]]
     TextureParameterDefaults: SendProperty[Sequence[FTextureParameterValue_in] | Future[list[FTextureParameterValue]]]

@@ -3,7 +3,8 @@ from collections.abc import Sequence
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, StructPath, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future,
+    ObjectPath, Property, SendProperty, StructPath, ValuePath,
 )
 from ..CoreUObject._NoExportTypes import FLinearColor, FLinearColor_async, FLinearColor_in, FLinearColor_path
 from ._BlendMode import EBlendMode, EBlendMode_in
@@ -37,13 +38,13 @@ class FScalarParameterValue_path(StructPath[FScalarParameterValue, FScalarParame
     """A variable of type FScalarParameterValue: its path."""
     ParameterInfo: Property[FMaterialParameterInfo_path, FMaterialParameterInfo_in]
     """Which parameter."""
-    ParameterValue: Property[Path[float], float | Future[float]]
+    ParameterValue: FloatProperty
     """Its value."""
 
 class FScalarParameterValue_async(AsyncValuePath[FScalarParameterValue, FScalarParameterValue_in]):
     """The same under ``async_``."""
     ParameterInfo: Property[FMaterialParameterInfo_async, FMaterialParameterInfo_in]
-    ParameterValue: Property[AsyncPath[float], float | Future[float]]
+    ParameterValue: AsyncFloatProperty
 
 class FVectorParameterValue(Struct):
     """Overridden vector parameter (UE: FVectorParameterValue, Materials/MaterialInstance.h).
@@ -141,27 +142,27 @@ FMaterialInstanceBasePropertyOverrides_in: TypeAlias = FMaterialInstanceBaseProp
 
 class FMaterialInstanceBasePropertyOverrides_path(StructPath[FMaterialInstanceBasePropertyOverrides, FMaterialInstanceBasePropertyOverrides_in, FMaterialInstanceBasePropertyOverrides_async]):
     """A variable of type FMaterialInstanceBasePropertyOverrides: its path."""
-    bOverride_OpacityMaskClipValue: Property[Path[bool], bool | Future[bool]]
+    bOverride_OpacityMaskClipValue: BoolProperty
     """Whether OpacityMaskClipValue counts."""
-    bOverride_BlendMode: Property[Path[bool], bool | Future[bool]]
+    bOverride_BlendMode: BoolProperty
     """Whether BlendMode counts."""
-    bOverride_TwoSided: Property[Path[bool], bool | Future[bool]]
+    bOverride_TwoSided: BoolProperty
     """Whether TwoSided counts."""
-    TwoSided: Property[Path[bool], bool | Future[bool]]
+    TwoSided: BoolProperty
     """Whether back faces are drawn too."""
     BlendMode: Property[ValuePath[EBlendMode, EBlendMode_in], EBlendMode_in]
     """How the surface covers what is behind it."""
-    OpacityMaskClipValue: Property[Path[float], float | Future[float]]
+    OpacityMaskClipValue: FloatProperty
     """Opacity below which a masked surface has a hole."""
 
 class FMaterialInstanceBasePropertyOverrides_async(AsyncValuePath[FMaterialInstanceBasePropertyOverrides, FMaterialInstanceBasePropertyOverrides_in]):
     """The same under ``async_``."""
-    bOverride_OpacityMaskClipValue: Property[AsyncPath[bool], bool | Future[bool]]
-    bOverride_BlendMode: Property[AsyncPath[bool], bool | Future[bool]]
-    bOverride_TwoSided: Property[AsyncPath[bool], bool | Future[bool]]
-    TwoSided: Property[AsyncPath[bool], bool | Future[bool]]
+    bOverride_OpacityMaskClipValue: AsyncBoolProperty
+    bOverride_BlendMode: AsyncBoolProperty
+    bOverride_TwoSided: AsyncBoolProperty
+    TwoSided: AsyncBoolProperty
     BlendMode: Property[AsyncValuePath[EBlendMode, EBlendMode_in], EBlendMode_in]
-    OpacityMaskClipValue: Property[AsyncPath[float], float | Future[float]]
+    OpacityMaskClipValue: AsyncFloatProperty
 
 class UMaterialInstance_members(UMaterialInterface_members):
     """Functions and variables of UMaterialInstance."""

@@ -2,7 +2,7 @@
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Path, Property, StructPath, ValuePath
+from spear.typing import AsyncIntProperty, AsyncStrProperty, AsyncValuePath, Future, IntProperty, Property, StrProperty, StructPath, ValuePath
 
 class EMaterialParameterAssociation(UnrealEnum):
     """What a material parameter belongs to (UE: EMaterialParameterAssociation, MaterialTypes.h).
@@ -42,15 +42,15 @@ FMaterialParameterInfo_in: TypeAlias = FMaterialParameterInfo | FMaterialParamet
 
 class FMaterialParameterInfo_path(StructPath[FMaterialParameterInfo, FMaterialParameterInfo_in, FMaterialParameterInfo_async]):
     """A variable of type FMaterialParameterInfo: its path."""
-    Name: Property[Path[str], str | Future[str]]
+    Name: StrProperty
     """Parameter name; compared without case, like every FName."""
     Association: Property[ValuePath[EMaterialParameterAssociation, EMaterialParameterAssociation_in], EMaterialParameterAssociation_in]
     """Whether this is a global parameter or belongs to a layer or blend."""
-    Index: Property[Path[int], int | Future[int]]
+    Index: IntProperty
     """Layer or blend index, INDEX_NONE for a global parameter."""
 
 class FMaterialParameterInfo_async(AsyncValuePath[FMaterialParameterInfo, FMaterialParameterInfo_in]):
     """The same under ``async_``."""
-    Name: Property[AsyncPath[str], str | Future[str]]
+    Name: AsyncStrProperty
     Association: Property[AsyncValuePath[EMaterialParameterAssociation, EMaterialParameterAssociation_in], EMaterialParameterAssociation_in]
-    Index: Property[AsyncPath[int], int | Future[int]]
+    Index: AsyncIntProperty

@@ -1,7 +1,9 @@
 # generated, do not edit (Engine: Public/GameFramework/MovementComponent.h)
 from typing import NamedTuple, TypeAlias
 from spear.enums import UnrealEnum
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncBoolProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, Future, ObjectPath, Property, SendBoolProperty, SendProperty, ValuePath,
+)
 from ..CoreUObject._NoExportTypes import FRotator_in, FVector, FVector_async, FVector_in, FVector_path
 from ._ActorComponent import UActorComponent, UActorComponent_async, UActorComponent_members, UActorComponent_send
 from ._HitResult import FHitResult
@@ -135,23 +137,23 @@ class UMovementComponent_members(UActorComponent_members):
 
     Unreal: UMovementComponent.Velocity (FVector)
     """
-    bConstrainToPlane: Property[Path[bool], bool | Future[bool]]
+    bConstrainToPlane: BoolProperty
     """Whether movement is constrained to a plane.
 
     Unreal: UMovementComponent.bConstrainToPlane (bool)
     """
-    bSnapToPlaneAtStart: Property[Path[bool], bool | Future[bool]]
+    bSnapToPlaneAtStart: BoolProperty
     """If true and plane constraints are enabled, then the updated component will be snapped to the plane when first
     attached.
 
     Unreal: UMovementComponent.bSnapToPlaneAtStart (bool)
     """
-    bAutoRegisterUpdatedComponent: Property[Path[bool], bool | Future[bool]]
+    bAutoRegisterUpdatedComponent: BoolProperty
     """If true, after registration we will set the updated component to the owner's root where none is set.
 
     Unreal: UMovementComponent.bAutoRegisterUpdatedComponent (bool)
     """
-    bTickBeforeOwner: Property[Path[bool], bool | Future[bool]]
+    bTickBeforeOwner: BoolProperty
     """If true, the movement component ticks before its owner does.
 
     Unreal: UMovementComponent.bTickBeforeOwner (bool)
@@ -212,13 +214,13 @@ class UMovementComponent_async(UActorComponent_async):
     """UpdatedComponent, cast as a UPrimitiveComponent."""
     Velocity: Property[FVector_async, FVector_in]
     """Current velocity of the moved component, in centimetres per second."""
-    bConstrainToPlane: Property[AsyncPath[bool], bool | Future[bool]]
+    bConstrainToPlane: AsyncBoolProperty
     """Whether movement is constrained to a plane."""
-    bSnapToPlaneAtStart: Property[AsyncPath[bool], bool | Future[bool]]
+    bSnapToPlaneAtStart: AsyncBoolProperty
     """If true and plane constraints are enabled, then the updated component will be snapped to the plane when first attached."""
-    bAutoRegisterUpdatedComponent: Property[AsyncPath[bool], bool | Future[bool]]
+    bAutoRegisterUpdatedComponent: AsyncBoolProperty
     """If true, after registration we will set the updated component to the owner's root where none is set."""
-    bTickBeforeOwner: Property[AsyncPath[bool], bool | Future[bool]]
+    bTickBeforeOwner: AsyncBoolProperty
     """If true, the movement component ticks before its owner does."""
     PlaneConstraintNormal: Property[FVector_async, FVector_in]
     """The normal of the plane that movement is constrained to."""
@@ -264,10 +266,10 @@ class UMovementComponent_send(UActorComponent_send):
     UpdatedComponent: SendProperty[USceneComponent | Future[USceneComponent] | None]
     UpdatedPrimitive: SendProperty[UPrimitiveComponent | Future[UPrimitiveComponent] | None]
     Velocity: SendProperty[FVector_in]
-    bConstrainToPlane: SendProperty[bool | Future[bool]]
-    bSnapToPlaneAtStart: SendProperty[bool | Future[bool]]
-    bAutoRegisterUpdatedComponent: SendProperty[bool | Future[bool]]
-    bTickBeforeOwner: SendProperty[bool | Future[bool]]
+    bConstrainToPlane: SendBoolProperty
+    bSnapToPlaneAtStart: SendBoolProperty
+    bAutoRegisterUpdatedComponent: SendBoolProperty
+    bTickBeforeOwner: SendBoolProperty
     PlaneConstraintNormal: SendProperty[FVector_in]
     PlaneConstraintOrigin: SendProperty[FVector_in]
     PlaneConstraintAxisSetting: SendProperty[EPlaneConstraintAxisSetting_in]

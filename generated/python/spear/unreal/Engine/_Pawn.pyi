@@ -1,7 +1,10 @@
 # generated, do not edit (Engine: Public/GameFramework/Pawn.h)
 from collections.abc import Sequence
 from typing import TypeAlias
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future, ObjectPath, Property,
+    SendBoolProperty, SendFloatProperty, SendProperty, ValuePath,
+)
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in
 from ..CoreUObject._NoExportTypes import FRotator, FVector, FVector_async, FVector_in, FVector_path
 from ._Actor import AActor, AActor_async, AActor_members, AActor_send
@@ -129,25 +132,25 @@ class APawn_members(AActor_members):
 
         Unreal: APawn.ReceiveUnpossessed
         """
-    bUseControllerRotationPitch: Property[Path[bool], bool | Future[bool]]
+    bUseControllerRotationPitch: BoolProperty
     """If true, this Pawn's pitch will be updated to match the Controller's ControlRotation pitch, if controlled by a
     PlayerController.
 
     Unreal: APawn.bUseControllerRotationPitch (bool)
     """
-    bUseControllerRotationYaw: Property[Path[bool], bool | Future[bool]]
+    bUseControllerRotationYaw: BoolProperty
     """If true, this Pawn's yaw will be updated to match the Controller's ControlRotation yaw, if controlled by a
     PlayerController.
 
     Unreal: APawn.bUseControllerRotationYaw (bool)
     """
-    bUseControllerRotationRoll: Property[Path[bool], bool | Future[bool]]
+    bUseControllerRotationRoll: BoolProperty
     """If true, this Pawn's roll will be updated to match the Controller's ControlRotation roll, if controlled by a
     PlayerController.
 
     Unreal: APawn.bUseControllerRotationRoll (bool)
     """
-    BaseEyeHeight: Property[Path[float], float | Future[float]]
+    BaseEyeHeight: FloatProperty
     """Base eye height above collision center, in centimetres.
 
     Unreal: APawn.BaseEyeHeight (float)
@@ -235,13 +238,13 @@ class APawn_async(AActor_async):
         """Event called when the Pawn is possessed by a Controller."""
     def ReceiveUnpossessed(self, OldController: AController | Future[AController]) -> Future[None]:
         """Event called when the Pawn is no longer possessed by a Controller."""
-    bUseControllerRotationPitch: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseControllerRotationPitch: AsyncBoolProperty
     """If true, this Pawn's pitch will be updated to match the Controller's ControlRotation pitch, if controlled by a PlayerController."""
-    bUseControllerRotationYaw: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseControllerRotationYaw: AsyncBoolProperty
     """If true, this Pawn's yaw will be updated to match the Controller's ControlRotation yaw, if controlled by a PlayerController."""
-    bUseControllerRotationRoll: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseControllerRotationRoll: AsyncBoolProperty
     """If true, this Pawn's roll will be updated to match the Controller's ControlRotation roll, if controlled by a PlayerController."""
-    BaseEyeHeight: Property[AsyncPath[float], float | Future[float]]
+    BaseEyeHeight: AsyncFloatProperty
     """Base eye height above collision center, in centimetres."""
     AutoPossessPlayer: Property[AsyncValuePath[EAutoReceiveInput, EAutoReceiveInput_in], EAutoReceiveInput_in]
     """Determines which PlayerController, if any, should automatically possess the pawn when the level starts or when the pawn is spawned."""
@@ -300,10 +303,10 @@ class APawn_send(AActor_send):
         """Event called when the Pawn is possessed by a Controller."""
     def ReceiveUnpossessed(self, OldController: AController | Future[AController]) -> None:
         """Event called when the Pawn is no longer possessed by a Controller."""
-    bUseControllerRotationPitch: SendProperty[bool | Future[bool]]
-    bUseControllerRotationYaw: SendProperty[bool | Future[bool]]
-    bUseControllerRotationRoll: SendProperty[bool | Future[bool]]
-    BaseEyeHeight: SendProperty[float | Future[float]]
+    bUseControllerRotationPitch: SendBoolProperty
+    bUseControllerRotationYaw: SendBoolProperty
+    bUseControllerRotationRoll: SendBoolProperty
+    BaseEyeHeight: SendFloatProperty
     AutoPossessPlayer: SendProperty[EAutoReceiveInput_in]
     PlayerState: SendProperty[APlayerState | Future[APlayerState] | None]
     Controller: SendProperty[AController | Future[AController] | None]

@@ -2,7 +2,10 @@
 from typing import TypeAlias, TypedDict
 from spear.enums import UnrealEnum
 from spear.structs import Struct
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, StructPath, ValuePath
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, FloatProperty, Future, ObjectPath, Property,
+    SendFloatProperty, SendProperty, StructPath, ValuePath,
+)
 from ..CoreUObject._NoExportTypes import FRotator, FVector
 from ._Actor import AActor, AActor_async, AActor_async_path, AActor_members, AActor_path, AActor_send
 from ._CameraTypes import FMinimalViewInfo, FMinimalViewInfo_async, FMinimalViewInfo_in, FMinimalViewInfo_path
@@ -52,14 +55,14 @@ FCameraCacheEntry_in: TypeAlias = FCameraCacheEntry | FCameraCacheEntry_dict | F
 
 class FCameraCacheEntry_path(StructPath[FCameraCacheEntry, FCameraCacheEntry_in, FCameraCacheEntry_async]):
     """A variable of type FCameraCacheEntry: its path."""
-    TimeStamp: Property[Path[float], float | Future[float]]
+    TimeStamp: FloatProperty
     """World time this entry was created."""
     POV: Property[FMinimalViewInfo_path, FMinimalViewInfo_in]
     """Camera POV to cache."""
 
 class FCameraCacheEntry_async(AsyncValuePath[FCameraCacheEntry, FCameraCacheEntry_in]):
     """The same under ``async_``."""
-    TimeStamp: Property[AsyncPath[float], float | Future[float]]
+    TimeStamp: AsyncFloatProperty
     POV: Property[FMinimalViewInfo_async, FMinimalViewInfo_in]
 
 class FTViewTarget(Struct):
@@ -126,21 +129,21 @@ FViewTargetTransitionParams_in: TypeAlias = FViewTargetTransitionParams | FViewT
 
 class FViewTargetTransitionParams_path(StructPath[FViewTargetTransitionParams, FViewTargetTransitionParams_in, FViewTargetTransitionParams_async]):
     """A variable of type FViewTargetTransitionParams: its path."""
-    BlendTime: Property[Path[float], float | Future[float]]
+    BlendTime: FloatProperty
     """Total duration of blend to pending view target, in seconds. 0 means no blending."""
     BlendFunction: Property[ValuePath[EViewTargetBlendFunction, EViewTargetBlendFunction_in], EViewTargetBlendFunction_in]
     """Function to apply to the blend parameter."""
-    BlendExp: Property[Path[float], float | Future[float]]
+    BlendExp: FloatProperty
     """Exponent, used by certain blend functions to control the shape of the curve."""
-    bLockOutgoing: Property[Path[bool], bool | Future[bool]]
+    bLockOutgoing: BoolProperty
     """If true, lock outgoing viewtarget to last frame's camera POV for the remainder of the blend."""
 
 class FViewTargetTransitionParams_async(AsyncValuePath[FViewTargetTransitionParams, FViewTargetTransitionParams_in]):
     """The same under ``async_``."""
-    BlendTime: Property[AsyncPath[float], float | Future[float]]
+    BlendTime: AsyncFloatProperty
     BlendFunction: Property[AsyncValuePath[EViewTargetBlendFunction, EViewTargetBlendFunction_in], EViewTargetBlendFunction_in]
-    BlendExp: Property[AsyncPath[float], float | Future[float]]
-    bLockOutgoing: Property[AsyncPath[bool], bool | Future[bool]]
+    BlendExp: AsyncFloatProperty
+    bLockOutgoing: AsyncBoolProperty
 
 class APlayerCameraManager_members(AActor_members):
     """Functions and variables of APlayerCameraManager."""
@@ -169,12 +172,12 @@ class APlayerCameraManager_members(AActor_members):
 
     Unreal: APlayerCameraManager.PCOwner (APlayerController*)
     """
-    DefaultFOV: Property[Path[float], float | Future[float]]
+    DefaultFOV: FloatProperty
     """FOV to use by default, in degrees.
 
     Unreal: APlayerCameraManager.DefaultFOV (float)
     """
-    LockedFOV: Property[Path[float], float | Future[float]]
+    LockedFOV: FloatProperty
     """Value to lock FOV to, in degrees. 0: not locked.
 
     Unreal: APlayerCameraManager.LockedFOV (float)
@@ -189,32 +192,32 @@ class APlayerCameraManager_members(AActor_members):
 
     Unreal: APlayerCameraManager.PendingViewTarget (FTViewTarget)
     """
-    ViewPitchMin: Property[Path[float], float | Future[float]]
+    ViewPitchMin: FloatProperty
     """Minimum view pitch, in degrees.
 
     Unreal: APlayerCameraManager.ViewPitchMin (float)
     """
-    ViewPitchMax: Property[Path[float], float | Future[float]]
+    ViewPitchMax: FloatProperty
     """Maximum view pitch, in degrees.
 
     Unreal: APlayerCameraManager.ViewPitchMax (float)
     """
-    ViewYawMin: Property[Path[float], float | Future[float]]
+    ViewYawMin: FloatProperty
     """Minimum view yaw, in degrees.
 
     Unreal: APlayerCameraManager.ViewYawMin (float)
     """
-    ViewYawMax: Property[Path[float], float | Future[float]]
+    ViewYawMax: FloatProperty
     """Maximum view yaw, in degrees.
 
     Unreal: APlayerCameraManager.ViewYawMax (float)
     """
-    ViewRollMin: Property[Path[float], float | Future[float]]
+    ViewRollMin: FloatProperty
     """Minimum view roll, in degrees.
 
     Unreal: APlayerCameraManager.ViewRollMin (float)
     """
-    ViewRollMax: Property[Path[float], float | Future[float]]
+    ViewRollMax: FloatProperty
     """Maximum view roll, in degrees.
 
     Unreal: APlayerCameraManager.ViewRollMax (float)
@@ -242,25 +245,25 @@ class APlayerCameraManager_async(AActor_async):
         """Returns the PlayerController that owns this camera."""
     PCOwner: Property[APlayerController_async_path, APlayerController | Future[APlayerController] | None]
     """PlayerController that owns this Camera actor."""
-    DefaultFOV: Property[AsyncPath[float], float | Future[float]]
+    DefaultFOV: AsyncFloatProperty
     """FOV to use by default, in degrees."""
-    LockedFOV: Property[AsyncPath[float], float | Future[float]]
+    LockedFOV: AsyncFloatProperty
     """Value to lock FOV to, in degrees. 0: not locked."""
     ViewTarget: Property[FTViewTarget_async, FTViewTarget_in]
     """Current ViewTarget."""
     PendingViewTarget: Property[FTViewTarget_async, FTViewTarget_in]
     """Pending view target for blending."""
-    ViewPitchMin: Property[AsyncPath[float], float | Future[float]]
+    ViewPitchMin: AsyncFloatProperty
     """Minimum view pitch, in degrees."""
-    ViewPitchMax: Property[AsyncPath[float], float | Future[float]]
+    ViewPitchMax: AsyncFloatProperty
     """Maximum view pitch, in degrees."""
-    ViewYawMin: Property[AsyncPath[float], float | Future[float]]
+    ViewYawMin: AsyncFloatProperty
     """Minimum view yaw, in degrees."""
-    ViewYawMax: Property[AsyncPath[float], float | Future[float]]
+    ViewYawMax: AsyncFloatProperty
     """Maximum view yaw, in degrees."""
-    ViewRollMin: Property[AsyncPath[float], float | Future[float]]
+    ViewRollMin: AsyncFloatProperty
     """Minimum view roll, in degrees."""
-    ViewRollMax: Property[AsyncPath[float], float | Future[float]]
+    ViewRollMax: AsyncFloatProperty
     """Maximum view roll, in degrees."""
     CameraCachePrivate: Property[FCameraCacheEntry_async, FCameraCacheEntry_in]
     """Cached camera properties."""
@@ -278,16 +281,16 @@ class APlayerCameraManager_send(AActor_send):
     def GetOwningPlayerController(self) -> None:
         """Returns the PlayerController that owns this camera."""
     PCOwner: SendProperty[APlayerController | Future[APlayerController] | None]
-    DefaultFOV: SendProperty[float | Future[float]]
-    LockedFOV: SendProperty[float | Future[float]]
+    DefaultFOV: SendFloatProperty
+    LockedFOV: SendFloatProperty
     ViewTarget: SendProperty[FTViewTarget_in]
     PendingViewTarget: SendProperty[FTViewTarget_in]
-    ViewPitchMin: SendProperty[float | Future[float]]
-    ViewPitchMax: SendProperty[float | Future[float]]
-    ViewYawMin: SendProperty[float | Future[float]]
-    ViewYawMax: SendProperty[float | Future[float]]
-    ViewRollMin: SendProperty[float | Future[float]]
-    ViewRollMax: SendProperty[float | Future[float]]
+    ViewPitchMin: SendFloatProperty
+    ViewPitchMax: SendFloatProperty
+    ViewYawMin: SendFloatProperty
+    ViewYawMax: SendFloatProperty
+    ViewRollMin: SendFloatProperty
+    ViewRollMax: SendFloatProperty
     CameraCachePrivate: SendProperty[FCameraCacheEntry_in]
     LastFrameCameraCachePrivate: SendProperty[FCameraCacheEntry_in]
 

@@ -1,6 +1,8 @@
 # generated, do not edit (Engine: Public/GameFramework/PlayerController.h)
 from typing import NamedTuple
-from spear.typing import AsyncClassPath, AsyncObjectPath, AsyncPath, ClassPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncClassPath, AsyncObjectPath, BoolProperty, ClassPath, Future, ObjectPath, Property, SendBoolProperty, SendProperty,
+)
 from ..CoreUObject._Intrinsic import UClass
 from ..CoreUObject._NoExportTypes import FRotator_async, FRotator_in, FRotator_path
 from ._Actor import AActor
@@ -93,7 +95,7 @@ class APlayerController_members(AController_members):
 
     Unreal: APlayerController.PlayerCameraManagerClass (TSubclassOf<APlayerCameraManager>)
     """
-    bAutoManageActiveCameraTarget: Property[Path[bool], bool | Future[bool]]
+    bAutoManageActiveCameraTarget: BoolProperty
     """True to allow this player controller to manage the camera target for you, typically by using the possessed
     pawn as the camera target. Set to false if you want to manually control the camera target.
 
@@ -133,7 +135,7 @@ class APlayerController_async(AController_async):
     """Camera manager associated with this Player Controller."""
     PlayerCameraManagerClass: Property[AsyncClassPath[UClass, type[APlayerCameraManager] | UClass | str | Future[UClass] | None], type[APlayerCameraManager] | UClass | str | Future[UClass] | None]
     """PlayerCamera class should be set for each game, otherwise Engine.PlayerCameraManager is used."""
-    bAutoManageActiveCameraTarget: Property[AsyncPath[bool], bool | Future[bool]]
+    bAutoManageActiveCameraTarget: AsyncBoolProperty
     """True to allow this player controller to manage the camera target for you, typically by using the possessed pawn as the camera target."""
     RotationInput: Property[FRotator_async, FRotator_in]
     """Rotation input collected in this frame, in degrees; applied by UpdateRotation."""
@@ -162,7 +164,7 @@ class APlayerController_send(AController_send):
     AcknowledgedPawn: SendProperty[APawn | Future[APawn] | None]
     PlayerCameraManager: SendProperty[APlayerCameraManager | Future[APlayerCameraManager] | None]
     PlayerCameraManagerClass: SendProperty[type[APlayerCameraManager] | UClass | str | Future[UClass] | None]
-    bAutoManageActiveCameraTarget: SendProperty[bool | Future[bool]]
+    bAutoManageActiveCameraTarget: SendBoolProperty
     RotationInput: SendProperty[FRotator_in]
 
 class APlayerController(APlayerController_members, AController):

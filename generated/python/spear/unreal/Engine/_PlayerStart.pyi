@@ -1,11 +1,11 @@
 # generated, do not edit (Engine: Public/GameFramework/PlayerStart.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncObjectPath, AsyncStrProperty, Future, ObjectPath, Property, SendProperty, SendStrProperty, StrProperty
 from ._Actor import AActor, AActor_async, AActor_members, AActor_send
 from ._CapsuleComponent import UCapsuleComponent, UCapsuleComponent_async_path, UCapsuleComponent_path
 
 class APlayerStart_members(AActor_members):
     """Functions and variables of APlayerStart."""
-    PlayerStartTag: Property[Path[str], str | Future[str]]
+    PlayerStartTag: StrProperty
     """Used when searching for which playerstart to use.
 
     Unreal: APlayerStart.PlayerStartTag (FName)
@@ -18,14 +18,14 @@ class APlayerStart_members(AActor_members):
 
 class APlayerStart_async(AActor_async):
     """APlayerStart under ``async_``: each function gives a future."""
-    PlayerStartTag: Property[AsyncPath[str], str | Future[str]]
+    PlayerStartTag: AsyncStrProperty
     """Used when searching for which playerstart to use."""
     CapsuleComponent: Property[UCapsuleComponent_async_path, UCapsuleComponent | Future[UCapsuleComponent] | None]
     """Capsule of the size of the player, centred on the start location."""
 
 class APlayerStart_send(AActor_send):
     """APlayerStart under ``send_``: no function answers."""
-    PlayerStartTag: SendProperty[str | Future[str]]
+    PlayerStartTag: SendStrProperty
     CapsuleComponent: SendProperty[UCapsuleComponent | Future[UCapsuleComponent] | None]
 
 class APlayerStart(APlayerStart_members, AActor):

@@ -1,7 +1,10 @@
 # generated, do not edit (Engine: Public/GameFramework/PlayerState.h)
 from collections.abc import Sequence
 from typing import TypeAlias
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncFloatProperty, AsyncIntProperty, AsyncObjectPath, AsyncStrProperty, AsyncValuePath, FloatProperty, Future, IntProperty, ObjectPath, Property,
+    SendFloatProperty, SendIntProperty, SendProperty, SendStrProperty, StrProperty, ValuePath,
+)
 from ..CoreUObject._Intrinsic import FScriptDelegate, FScriptDelegate_in
 from ._Info import AInfo, AInfo_async, AInfo_members, AInfo_send
 from ._Pawn import APawn, APawn_async_path, APawn_path
@@ -42,17 +45,17 @@ class APlayerState_members(AInfo_members):
 
     Unreal: APlayerState.OnPawnSet (FOnPlayerStatePawnSet)
     """
-    Score: Property[Path[float], float | Future[float]]
+    Score: FloatProperty
     """Player's current score.
 
     Unreal: APlayerState.Score (float)
     """
-    PlayerId: Property[Path[int], int | Future[int]]
+    PlayerId: IntProperty
     """Unique net id number.
 
     Unreal: APlayerState.PlayerId (int32)
     """
-    PlayerNamePrivate: Property[Path[str], str | Future[str]]
+    PlayerNamePrivate: StrProperty
     """Player name, or blank if none.
 
     Unreal: APlayerState.PlayerNamePrivate (FString)
@@ -75,11 +78,11 @@ class APlayerState_async(AInfo_async):
         """Player name, or blank if none."""
     OnPawnSet: Property[AsyncValuePath[list[FScriptDelegate], Sequence[FScriptDelegate_in] | None], Sequence[FScriptDelegate_in] | None]
     """Broadcast whenever this player's possessed pawn is set."""
-    Score: Property[AsyncPath[float], float | Future[float]]
+    Score: AsyncFloatProperty
     """Player's current score."""
-    PlayerId: Property[AsyncPath[int], int | Future[int]]
+    PlayerId: AsyncIntProperty
     """Unique net id number."""
-    PlayerNamePrivate: Property[AsyncPath[str], str | Future[str]]
+    PlayerNamePrivate: AsyncStrProperty
     """Player name, or blank if none."""
     PawnPrivate: Property[APawn_async_path, APawn | Future[APawn] | None]
     """The pawn that is controlled by this player."""
@@ -95,9 +98,9 @@ class APlayerState_send(AInfo_send):
     def GetPlayerName(self) -> None:
         """Player name, or blank if none."""
     OnPawnSet: SendProperty[Sequence[FScriptDelegate_in] | None]
-    Score: SendProperty[float | Future[float]]
-    PlayerId: SendProperty[int | Future[int]]
-    PlayerNamePrivate: SendProperty[str | Future[str]]
+    Score: SendFloatProperty
+    PlayerId: SendIntProperty
+    PlayerNamePrivate: SendStrProperty
     PawnPrivate: SendProperty[APawn | Future[APawn] | None]
 
 class APlayerState(APlayerState_members, AInfo):

@@ -1,5 +1,7 @@
 # generated, do not edit (Engine: Public/Components/PointLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, ObjectPath, SendBoolProperty, SendFloatProperty,
+)
 from ._LocalLightComponent import ULocalLightComponent, ULocalLightComponent_async, ULocalLightComponent_members, ULocalLightComponent_send
 
 class UPointLightComponent_members(ULocalLightComponent_members):
@@ -29,27 +31,27 @@ class UPointLightComponent_members(ULocalLightComponent_members):
 
         Unreal: UPointLightComponent.SetUseInverseSquaredFalloff
         """
-    bUseInverseSquaredFalloff: Property[Path[bool], bool | Future[bool]]
+    bUseInverseSquaredFalloff: BoolProperty
     """Whether to use physically based inverse squared distance falloff.
 
     Unreal: UPointLightComponent.bUseInverseSquaredFalloff (bool)
     """
-    LightFalloffExponent: Property[Path[float], float | Future[float]]
+    LightFalloffExponent: FloatProperty
     """Controls the radial falloff of the light when bUseInverseSquaredFalloff is false.
 
     Unreal: UPointLightComponent.LightFalloffExponent (float)
     """
-    SourceRadius: Property[Path[float], float | Future[float]]
+    SourceRadius: FloatProperty
     """Radius of the light source shape, in centimetres.
 
     Unreal: UPointLightComponent.SourceRadius (float)
     """
-    SoftSourceRadius: Property[Path[float], float | Future[float]]
+    SoftSourceRadius: FloatProperty
     """Soft radius of the light source shape, in centimetres.
 
     Unreal: UPointLightComponent.SoftSourceRadius (float)
     """
-    SourceLength: Property[Path[float], float | Future[float]]
+    SourceLength: FloatProperty
     """Length of the light source shape along the local Z axis, in centimetres.
 
     Unreal: UPointLightComponent.SourceLength (float)
@@ -67,15 +69,15 @@ class UPointLightComponent_async(ULocalLightComponent_async):
         """Sets the radius of the light source shape, in centimetres."""
     def SetUseInverseSquaredFalloff(self, bNewValue: bool | Future[bool]) -> Future[None]:
         """Sets whether to use inverse squared distance falloff."""
-    bUseInverseSquaredFalloff: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseInverseSquaredFalloff: AsyncBoolProperty
     """Whether to use physically based inverse squared distance falloff."""
-    LightFalloffExponent: Property[AsyncPath[float], float | Future[float]]
+    LightFalloffExponent: AsyncFloatProperty
     """Controls the radial falloff of the light when bUseInverseSquaredFalloff is false."""
-    SourceRadius: Property[AsyncPath[float], float | Future[float]]
+    SourceRadius: AsyncFloatProperty
     """Radius of the light source shape, in centimetres."""
-    SoftSourceRadius: Property[AsyncPath[float], float | Future[float]]
+    SoftSourceRadius: AsyncFloatProperty
     """Soft radius of the light source shape, in centimetres."""
-    SourceLength: Property[AsyncPath[float], float | Future[float]]
+    SourceLength: AsyncFloatProperty
     """Length of the light source shape along the local Z axis, in centimetres."""
 
 class UPointLightComponent_send(ULocalLightComponent_send):
@@ -90,11 +92,11 @@ class UPointLightComponent_send(ULocalLightComponent_send):
         """Sets the radius of the light source shape, in centimetres."""
     def SetUseInverseSquaredFalloff(self, bNewValue: bool | Future[bool]) -> None:
         """Sets whether to use inverse squared distance falloff."""
-    bUseInverseSquaredFalloff: SendProperty[bool | Future[bool]]
-    LightFalloffExponent: SendProperty[float | Future[float]]
-    SourceRadius: SendProperty[float | Future[float]]
-    SoftSourceRadius: SendProperty[float | Future[float]]
-    SourceLength: SendProperty[float | Future[float]]
+    bUseInverseSquaredFalloff: SendBoolProperty
+    LightFalloffExponent: SendFloatProperty
+    SourceRadius: SendFloatProperty
+    SoftSourceRadius: SendFloatProperty
+    SourceLength: SendFloatProperty
 
 class UPointLightComponent(UPointLightComponent_members, ULocalLightComponent):
     """A light that shines in all directions from a small sphere or tube. Epic page: UPointLightComponent.

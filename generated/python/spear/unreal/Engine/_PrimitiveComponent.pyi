@@ -1,6 +1,9 @@
 # generated, do not edit (Engine: Public/Components/PrimitiveComponent.h)
 from typing_extensions import deprecated
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, IntProperty, ObjectPath, Property,
+    SendBoolProperty, SendFloatProperty, SendIntProperty, SendProperty,
+)
 from ._BodyInstance import FBodyInstance_async, FBodyInstance_in, FBodyInstance_path
 from ._EngineTypes import (
     ECollisionChannel, ECollisionChannel_in, ECollisionEnabled, ECollisionEnabled_in, ECollisionResponse, ECollisionResponse_in,
@@ -223,119 +226,119 @@ class UPrimitiveComponent_members(USceneComponent_members):
 
         Unreal: UPrimitiveComponent.SetVisibleInSceneCaptureOnly
         """
-    MinDrawDistance: Property[Path[float], float | Future[float]]
+    MinDrawDistance: FloatProperty
     """The minimum distance at which the primitive should be rendered, measured from the centre of its bounding
     sphere, in centimetres.
 
     Unreal: UPrimitiveComponent.MinDrawDistance (float)
     """
-    LDMaxDrawDistance: Property[Path[float], float | Future[float]]
+    LDMaxDrawDistance: FloatProperty
     """Max draw distance exposed to level designers. The real one is the smaller of this and volumes' limits. 0 is no
     limit.
 
     Unreal: UPrimitiveComponent.LDMaxDrawDistance (float)
     """
-    CachedMaxDrawDistance: Property[Path[float], float | Future[float]]
+    CachedMaxDrawDistance: FloatProperty
     """The distance to cull this primitive at. 0 means that it is not culled by distance.
 
     Unreal: UPrimitiveComponent.CachedMaxDrawDistance (float)
     """
-    BoundsScale: Property[Path[float], float | Future[float]]
+    BoundsScale: FloatProperty
     """Scales the bounds of the object.
 
     Unreal: UPrimitiveComponent.BoundsScale (float)
     """
-    bRenderInMainPass: Property[Path[bool], bool | Future[bool]]
+    bRenderInMainPass: BoolProperty
     """If true, this component will be rendered in the main pass (z prepass, base pass, translucency).
 
     Unreal: UPrimitiveComponent.bRenderInMainPass (bool)
     """
-    bRenderInDepthPass: Property[Path[bool], bool | Future[bool]]
+    bRenderInDepthPass: BoolProperty
     """If true, this component will be rendered in the depth pass even if it is not rendered in the main pass.
 
     Unreal: UPrimitiveComponent.bRenderInDepthPass (bool)
     """
-    bReceivesDecals: Property[Path[bool], bool | Future[bool]]
+    bReceivesDecals: BoolProperty
     """Whether the primitive receives decals.
 
     Unreal: UPrimitiveComponent.bReceivesDecals (bool)
     """
-    bOwnerNoSee: Property[Path[bool], bool | Future[bool]]
+    bOwnerNoSee: BoolProperty
     """If this is true, this component won't be visible when the view actor is the component's owner.
 
     Unreal: UPrimitiveComponent.bOwnerNoSee (bool)
     """
-    bOnlyOwnerSee: Property[Path[bool], bool | Future[bool]]
+    bOnlyOwnerSee: BoolProperty
     """If this is true, this component will only be visible when the view actor is the component's owner.
 
     Unreal: UPrimitiveComponent.bOnlyOwnerSee (bool)
     """
-    bVisibleInReflectionCaptures: Property[Path[bool], bool | Future[bool]]
+    bVisibleInReflectionCaptures: BoolProperty
     """If true, this component will be visible in reflection captures.
 
     Unreal: UPrimitiveComponent.bVisibleInReflectionCaptures (bool)
     """
-    bVisibleInRayTracing: Property[Path[bool], bool | Future[bool]]
+    bVisibleInRayTracing: BoolProperty
     """If true, this component will be visible in ray tracing effects.
 
     Unreal: UPrimitiveComponent.bVisibleInRayTracing (bool)
     """
-    bVisibleInSceneCaptureOnly: Property[Path[bool], bool | Future[bool]]
+    bVisibleInSceneCaptureOnly: BoolProperty
     """When true, will only be visible in scene captures.
 
     Unreal: UPrimitiveComponent.bVisibleInSceneCaptureOnly (bool)
     """
-    bHiddenInSceneCapture: Property[Path[bool], bool | Future[bool]]
+    bHiddenInSceneCapture: BoolProperty
     """When true, will not be captured by scene captures.
 
     Unreal: UPrimitiveComponent.bHiddenInSceneCapture (bool)
     """
-    CastShadow: Property[Path[bool], bool | Future[bool]]
+    CastShadow: BoolProperty
     """Controls whether the primitive component should cast a shadow or not.
 
     Unreal: UPrimitiveComponent.CastShadow (bool)
     """
-    bAffectDynamicIndirectLighting: Property[Path[bool], bool | Future[bool]]
+    bAffectDynamicIndirectLighting: BoolProperty
     """Controls whether the primitive should influence indirect lighting while it moves.
 
     Unreal: UPrimitiveComponent.bAffectDynamicIndirectLighting (bool)
     """
-    bAffectDistanceFieldLighting: Property[Path[bool], bool | Future[bool]]
+    bAffectDistanceFieldLighting: BoolProperty
     """Controls whether the primitive should affect dynamic distance field lighting methods.
 
     Unreal: UPrimitiveComponent.bAffectDistanceFieldLighting (bool)
     """
-    bCastDynamicShadow: Property[Path[bool], bool | Future[bool]]
+    bCastDynamicShadow: BoolProperty
     """Controls whether the primitive should cast shadows in the case of non precomputed shadowing.
 
     Unreal: UPrimitiveComponent.bCastDynamicShadow (bool)
     """
-    bCastStaticShadow: Property[Path[bool], bool | Future[bool]]
+    bCastStaticShadow: BoolProperty
     """Whether the object should cast a static shadow from shadow casting lights.
 
     Unreal: UPrimitiveComponent.bCastStaticShadow (bool)
     """
-    bCastHiddenShadow: Property[Path[bool], bool | Future[bool]]
+    bCastHiddenShadow: BoolProperty
     """If true, the primitive will cast shadows even if bHidden is true.
 
     Unreal: UPrimitiveComponent.bCastHiddenShadow (bool)
     """
-    bCastShadowAsTwoSided: Property[Path[bool], bool | Future[bool]]
+    bCastShadowAsTwoSided: BoolProperty
     """Whether this primitive should cast dynamic shadows as if it were a two sided material.
 
     Unreal: UPrimitiveComponent.bCastShadowAsTwoSided (bool)
     """
-    bRenderCustomDepth: Property[Path[bool], bool | Future[bool]]
+    bRenderCustomDepth: BoolProperty
     """If true, this component will be rendered in the CustomDepth pass.
 
     Unreal: UPrimitiveComponent.bRenderCustomDepth (bool)
     """
-    CustomDepthStencilValue: Property[Path[int], int | Future[int]]
+    CustomDepthStencilValue: IntProperty
     """Optionally write this 0-255 value to the stencil buffer in the CustomDepth pass.
 
     Unreal: UPrimitiveComponent.CustomDepthStencilValue (int32)
     """
-    TranslucencySortPriority: Property[Path[int], int | Future[int]]
+    TranslucencySortPriority: IntProperty
     """Translucent objects with a lower sort priority draw behind objects with a higher one.
 
     Unreal: UPrimitiveComponent.TranslucencySortPriority (int32)
@@ -350,7 +353,7 @@ class UPrimitiveComponent_members(USceneComponent_members):
 
     Unreal: UPrimitiveComponent.BodyInstance (FBodyInstance)
     """
-    bGenerateOverlapEvents: Property[Path[bool], bool | Future[bool]]
+    bGenerateOverlapEvents: BoolProperty
     """If true, this component will generate overlap events when it is overlapping other components.
 
     Unreal: UPrimitiveComponent.bGenerateOverlapEvents (bool)
@@ -440,57 +443,57 @@ class UPrimitiveComponent_async(USceneComponent_async):
         """Changes the value of bVisibleInRayTracing."""
     def SetVisibleInSceneCaptureOnly(self, bValue: bool | Future[bool]) -> Future[None]:
         """Sets bVisibleInSceneCaptureOnly: when true, will only be visible in scene captures."""
-    MinDrawDistance: Property[AsyncPath[float], float | Future[float]]
+    MinDrawDistance: AsyncFloatProperty
     """The minimum distance at which the primitive should be rendered, measured from the centre of its bounding sphere, in centimetres."""
-    LDMaxDrawDistance: Property[AsyncPath[float], float | Future[float]]
+    LDMaxDrawDistance: AsyncFloatProperty
     """Max draw distance exposed to level designers."""
-    CachedMaxDrawDistance: Property[AsyncPath[float], float | Future[float]]
+    CachedMaxDrawDistance: AsyncFloatProperty
     """The distance to cull this primitive at. 0 means that it is not culled by distance."""
-    BoundsScale: Property[AsyncPath[float], float | Future[float]]
+    BoundsScale: AsyncFloatProperty
     """Scales the bounds of the object."""
-    bRenderInMainPass: Property[AsyncPath[bool], bool | Future[bool]]
+    bRenderInMainPass: AsyncBoolProperty
     """If true, this component will be rendered in the main pass (z prepass, base pass, translucency)."""
-    bRenderInDepthPass: Property[AsyncPath[bool], bool | Future[bool]]
+    bRenderInDepthPass: AsyncBoolProperty
     """If true, this component will be rendered in the depth pass even if it is not rendered in the main pass."""
-    bReceivesDecals: Property[AsyncPath[bool], bool | Future[bool]]
+    bReceivesDecals: AsyncBoolProperty
     """Whether the primitive receives decals."""
-    bOwnerNoSee: Property[AsyncPath[bool], bool | Future[bool]]
+    bOwnerNoSee: AsyncBoolProperty
     """If this is true, this component won't be visible when the view actor is the component's owner."""
-    bOnlyOwnerSee: Property[AsyncPath[bool], bool | Future[bool]]
+    bOnlyOwnerSee: AsyncBoolProperty
     """If this is true, this component will only be visible when the view actor is the component's owner."""
-    bVisibleInReflectionCaptures: Property[AsyncPath[bool], bool | Future[bool]]
+    bVisibleInReflectionCaptures: AsyncBoolProperty
     """If true, this component will be visible in reflection captures."""
-    bVisibleInRayTracing: Property[AsyncPath[bool], bool | Future[bool]]
+    bVisibleInRayTracing: AsyncBoolProperty
     """If true, this component will be visible in ray tracing effects."""
-    bVisibleInSceneCaptureOnly: Property[AsyncPath[bool], bool | Future[bool]]
+    bVisibleInSceneCaptureOnly: AsyncBoolProperty
     """When true, will only be visible in scene captures."""
-    bHiddenInSceneCapture: Property[AsyncPath[bool], bool | Future[bool]]
+    bHiddenInSceneCapture: AsyncBoolProperty
     """When true, will not be captured by scene captures."""
-    CastShadow: Property[AsyncPath[bool], bool | Future[bool]]
+    CastShadow: AsyncBoolProperty
     """Controls whether the primitive component should cast a shadow or not."""
-    bAffectDynamicIndirectLighting: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectDynamicIndirectLighting: AsyncBoolProperty
     """Controls whether the primitive should influence indirect lighting while it moves."""
-    bAffectDistanceFieldLighting: Property[AsyncPath[bool], bool | Future[bool]]
+    bAffectDistanceFieldLighting: AsyncBoolProperty
     """Controls whether the primitive should affect dynamic distance field lighting methods."""
-    bCastDynamicShadow: Property[AsyncPath[bool], bool | Future[bool]]
+    bCastDynamicShadow: AsyncBoolProperty
     """Controls whether the primitive should cast shadows in the case of non precomputed shadowing."""
-    bCastStaticShadow: Property[AsyncPath[bool], bool | Future[bool]]
+    bCastStaticShadow: AsyncBoolProperty
     """Whether the object should cast a static shadow from shadow casting lights."""
-    bCastHiddenShadow: Property[AsyncPath[bool], bool | Future[bool]]
+    bCastHiddenShadow: AsyncBoolProperty
     """If true, the primitive will cast shadows even if bHidden is true."""
-    bCastShadowAsTwoSided: Property[AsyncPath[bool], bool | Future[bool]]
+    bCastShadowAsTwoSided: AsyncBoolProperty
     """Whether this primitive should cast dynamic shadows as if it were a two sided material."""
-    bRenderCustomDepth: Property[AsyncPath[bool], bool | Future[bool]]
+    bRenderCustomDepth: AsyncBoolProperty
     """If true, this component will be rendered in the CustomDepth pass."""
-    CustomDepthStencilValue: Property[AsyncPath[int], int | Future[int]]
+    CustomDepthStencilValue: AsyncIntProperty
     """Optionally write this 0-255 value to the stencil buffer in the CustomDepth pass."""
-    TranslucencySortPriority: Property[AsyncPath[int], int | Future[int]]
+    TranslucencySortPriority: AsyncIntProperty
     """Translucent objects with a lower sort priority draw behind objects with a higher one."""
     LightingChannels: Property[FLightingChannels_async, FLightingChannels_in]
     """Channels that this component should be in."""
     BodyInstance: Property[FBodyInstance_async, FBodyInstance_in]
     """The collision settings."""
-    bGenerateOverlapEvents: Property[AsyncPath[bool], bool | Future[bool]]
+    bGenerateOverlapEvents: AsyncBoolProperty
     """If true, this component will generate overlap events when it is overlapping other components."""
 
 class UPrimitiveComponent_send(USceneComponent_send):
@@ -577,32 +580,32 @@ class UPrimitiveComponent_send(USceneComponent_send):
         """Changes the value of bVisibleInRayTracing."""
     def SetVisibleInSceneCaptureOnly(self, bValue: bool | Future[bool]) -> None:
         """Sets bVisibleInSceneCaptureOnly: when true, will only be visible in scene captures."""
-    MinDrawDistance: SendProperty[float | Future[float]]
-    LDMaxDrawDistance: SendProperty[float | Future[float]]
-    CachedMaxDrawDistance: SendProperty[float | Future[float]]
-    BoundsScale: SendProperty[float | Future[float]]
-    bRenderInMainPass: SendProperty[bool | Future[bool]]
-    bRenderInDepthPass: SendProperty[bool | Future[bool]]
-    bReceivesDecals: SendProperty[bool | Future[bool]]
-    bOwnerNoSee: SendProperty[bool | Future[bool]]
-    bOnlyOwnerSee: SendProperty[bool | Future[bool]]
-    bVisibleInReflectionCaptures: SendProperty[bool | Future[bool]]
-    bVisibleInRayTracing: SendProperty[bool | Future[bool]]
-    bVisibleInSceneCaptureOnly: SendProperty[bool | Future[bool]]
-    bHiddenInSceneCapture: SendProperty[bool | Future[bool]]
-    CastShadow: SendProperty[bool | Future[bool]]
-    bAffectDynamicIndirectLighting: SendProperty[bool | Future[bool]]
-    bAffectDistanceFieldLighting: SendProperty[bool | Future[bool]]
-    bCastDynamicShadow: SendProperty[bool | Future[bool]]
-    bCastStaticShadow: SendProperty[bool | Future[bool]]
-    bCastHiddenShadow: SendProperty[bool | Future[bool]]
-    bCastShadowAsTwoSided: SendProperty[bool | Future[bool]]
-    bRenderCustomDepth: SendProperty[bool | Future[bool]]
-    CustomDepthStencilValue: SendProperty[int | Future[int]]
-    TranslucencySortPriority: SendProperty[int | Future[int]]
+    MinDrawDistance: SendFloatProperty
+    LDMaxDrawDistance: SendFloatProperty
+    CachedMaxDrawDistance: SendFloatProperty
+    BoundsScale: SendFloatProperty
+    bRenderInMainPass: SendBoolProperty
+    bRenderInDepthPass: SendBoolProperty
+    bReceivesDecals: SendBoolProperty
+    bOwnerNoSee: SendBoolProperty
+    bOnlyOwnerSee: SendBoolProperty
+    bVisibleInReflectionCaptures: SendBoolProperty
+    bVisibleInRayTracing: SendBoolProperty
+    bVisibleInSceneCaptureOnly: SendBoolProperty
+    bHiddenInSceneCapture: SendBoolProperty
+    CastShadow: SendBoolProperty
+    bAffectDynamicIndirectLighting: SendBoolProperty
+    bAffectDistanceFieldLighting: SendBoolProperty
+    bCastDynamicShadow: SendBoolProperty
+    bCastStaticShadow: SendBoolProperty
+    bCastHiddenShadow: SendBoolProperty
+    bCastShadowAsTwoSided: SendBoolProperty
+    bRenderCustomDepth: SendBoolProperty
+    CustomDepthStencilValue: SendIntProperty
+    TranslucencySortPriority: SendIntProperty
     LightingChannels: SendProperty[FLightingChannels_in]
     BodyInstance: SendProperty[FBodyInstance_in]
-    bGenerateOverlapEvents: SendProperty[bool | Future[bool]]
+    bGenerateOverlapEvents: SendBoolProperty
 
 class UPrimitiveComponent(UPrimitiveComponent_members, USceneComponent):
     """A scene component with geometry: something that can be drawn and that has collision settings.

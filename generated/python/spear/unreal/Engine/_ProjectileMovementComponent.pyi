@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/GameFramework/ProjectileMovementComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncIntProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, IntProperty, ObjectPath, Property,
+    SendBoolProperty, SendFloatProperty, SendIntProperty, SendProperty,
+)
 from ..CoreUObject._NoExportTypes import FVector_in
 from ._MovementComponent import UMovementComponent, UMovementComponent_async, UMovementComponent_members, UMovementComponent_send
 from ._SceneComponent import USceneComponent, USceneComponent_async_path, USceneComponent_path
@@ -11,56 +14,56 @@ class UProjectileMovementComponent_members(UMovementComponent_members):
 
         Unreal: UProjectileMovementComponent.SetVelocityInLocalSpace
         """
-    InitialSpeed: Property[Path[float], float | Future[float]]
+    InitialSpeed: FloatProperty
     """Initial speed of the projectile, in centimetres per second. If greater than zero, this will override the
     initial Velocity value and instead treat Velocity as a direction.
 
     Unreal: UProjectileMovementComponent.InitialSpeed (float)
     """
-    MaxSpeed: Property[Path[float], float | Future[float]]
+    MaxSpeed: FloatProperty
     """Limit on the speed of the projectile, in centimetres per second (0 means no limit).
 
     Unreal: UProjectileMovementComponent.MaxSpeed (float)
     """
-    bRotationFollowsVelocity: Property[Path[bool], bool | Future[bool]]
+    bRotationFollowsVelocity: BoolProperty
     """If true, this projectile will have its rotation updated each frame to match the direction of its velocity.
 
     Unreal: UProjectileMovementComponent.bRotationFollowsVelocity (bool)
     """
-    bRotationRemainsVertical: Property[Path[bool], bool | Future[bool]]
+    bRotationRemainsVertical: BoolProperty
     """If true, this projectile will have its rotation updated each frame to maintain the rotation's pitch at zero.
 
     Unreal: UProjectileMovementComponent.bRotationRemainsVertical (bool)
     """
-    bInitialVelocityInLocalSpace: Property[Path[bool], bool | Future[bool]]
+    bInitialVelocityInLocalSpace: BoolProperty
     """If true, the initial Velocity is interpreted as being in local space upon startup.
 
     Unreal: UProjectileMovementComponent.bInitialVelocityInLocalSpace (bool)
     """
-    bSimulationEnabled: Property[Path[bool], bool | Future[bool]]
+    bSimulationEnabled: BoolProperty
     """If true, does normal simulation ticking and update. If false, simulation is halted, but component will still
     tick.
 
     Unreal: UProjectileMovementComponent.bSimulationEnabled (bool)
     """
-    bForceSubStepping: Property[Path[bool], bool | Future[bool]]
+    bForceSubStepping: BoolProperty
     """If true, forces sub-stepping to break up movement into discrete smaller steps to improve accuracy of the
     trajectory.
 
     Unreal: UProjectileMovementComponent.bForceSubStepping (bool)
     """
-    bIsHomingProjectile: Property[Path[bool], bool | Future[bool]]
+    bIsHomingProjectile: BoolProperty
     """If true, we will accelerate toward our homing target. HomingTargetComponent must be set after the projectile
     is spawned.
 
     Unreal: UProjectileMovementComponent.bIsHomingProjectile (bool)
     """
-    ProjectileGravityScale: Property[Path[float], float | Future[float]]
+    ProjectileGravityScale: FloatProperty
     """Custom gravity scale for this projectile. Set to 0 for no gravity.
 
     Unreal: UProjectileMovementComponent.ProjectileGravityScale (float)
     """
-    HomingAccelerationMagnitude: Property[Path[float], float | Future[float]]
+    HomingAccelerationMagnitude: FloatProperty
     """The magnitude of our acceleration towards the homing target, in centimetres per second squared.
 
     Unreal: UProjectileMovementComponent.HomingAccelerationMagnitude (float)
@@ -70,14 +73,14 @@ class UProjectileMovementComponent_members(UMovementComponent_members):
 
     Unreal: UProjectileMovementComponent.HomingTargetComponent (TWeakObjectPtr<USceneComponent>)
     """
-    MaxSimulationTimeStep: Property[Path[float], float | Future[float]]
+    MaxSimulationTimeStep: FloatProperty
     """Max time delta for each discrete simulation step, in seconds. Used only when sub-stepping.
 
     0.0166 to 0.50
 
     Unreal: UProjectileMovementComponent.MaxSimulationTimeStep (float)
     """
-    MaxSimulationIterations: Property[Path[int], int | Future[int]]
+    MaxSimulationIterations: IntProperty
     """Max number of iterations used for each discrete simulation step.
 
     1 to 25
@@ -89,50 +92,50 @@ class UProjectileMovementComponent_async(UMovementComponent_async):
     """UProjectileMovementComponent under ``async_``: each function gives a future."""
     def SetVelocityInLocalSpace(self, NewVelocity: FVector_in) -> Future[None]:
         """Sets the velocity to a vector in the updated component's local space."""
-    InitialSpeed: Property[AsyncPath[float], float | Future[float]]
+    InitialSpeed: AsyncFloatProperty
     """Initial speed of the projectile, in centimetres per second."""
-    MaxSpeed: Property[AsyncPath[float], float | Future[float]]
+    MaxSpeed: AsyncFloatProperty
     """Limit on the speed of the projectile, in centimetres per second (0 means no limit)."""
-    bRotationFollowsVelocity: Property[AsyncPath[bool], bool | Future[bool]]
+    bRotationFollowsVelocity: AsyncBoolProperty
     """If true, this projectile will have its rotation updated each frame to match the direction of its velocity."""
-    bRotationRemainsVertical: Property[AsyncPath[bool], bool | Future[bool]]
+    bRotationRemainsVertical: AsyncBoolProperty
     """If true, this projectile will have its rotation updated each frame to maintain the rotation's pitch at zero."""
-    bInitialVelocityInLocalSpace: Property[AsyncPath[bool], bool | Future[bool]]
+    bInitialVelocityInLocalSpace: AsyncBoolProperty
     """If true, the initial Velocity is interpreted as being in local space upon startup."""
-    bSimulationEnabled: Property[AsyncPath[bool], bool | Future[bool]]
+    bSimulationEnabled: AsyncBoolProperty
     """If true, does normal simulation ticking and update."""
-    bForceSubStepping: Property[AsyncPath[bool], bool | Future[bool]]
+    bForceSubStepping: AsyncBoolProperty
     """If true, forces sub-stepping to break up movement into discrete smaller steps to improve accuracy of the trajectory."""
-    bIsHomingProjectile: Property[AsyncPath[bool], bool | Future[bool]]
+    bIsHomingProjectile: AsyncBoolProperty
     """If true, we will accelerate toward our homing target."""
-    ProjectileGravityScale: Property[AsyncPath[float], float | Future[float]]
+    ProjectileGravityScale: AsyncFloatProperty
     """Custom gravity scale for this projectile."""
-    HomingAccelerationMagnitude: Property[AsyncPath[float], float | Future[float]]
+    HomingAccelerationMagnitude: AsyncFloatProperty
     """The magnitude of our acceleration towards the homing target, in centimetres per second squared."""
     HomingTargetComponent: Property[USceneComponent_async_path, USceneComponent | Future[USceneComponent] | None]
     """The current target we are homing towards."""
-    MaxSimulationTimeStep: Property[AsyncPath[float], float | Future[float]]
+    MaxSimulationTimeStep: AsyncFloatProperty
     """Max time delta for each discrete simulation step, in seconds."""
-    MaxSimulationIterations: Property[AsyncPath[int], int | Future[int]]
+    MaxSimulationIterations: AsyncIntProperty
     """Max number of iterations used for each discrete simulation step."""
 
 class UProjectileMovementComponent_send(UMovementComponent_send):
     """UProjectileMovementComponent under ``send_``: no function answers."""
     def SetVelocityInLocalSpace(self, NewVelocity: FVector_in) -> None:
         """Sets the velocity to a vector in the updated component's local space."""
-    InitialSpeed: SendProperty[float | Future[float]]
-    MaxSpeed: SendProperty[float | Future[float]]
-    bRotationFollowsVelocity: SendProperty[bool | Future[bool]]
-    bRotationRemainsVertical: SendProperty[bool | Future[bool]]
-    bInitialVelocityInLocalSpace: SendProperty[bool | Future[bool]]
-    bSimulationEnabled: SendProperty[bool | Future[bool]]
-    bForceSubStepping: SendProperty[bool | Future[bool]]
-    bIsHomingProjectile: SendProperty[bool | Future[bool]]
-    ProjectileGravityScale: SendProperty[float | Future[float]]
-    HomingAccelerationMagnitude: SendProperty[float | Future[float]]
+    InitialSpeed: SendFloatProperty
+    MaxSpeed: SendFloatProperty
+    bRotationFollowsVelocity: SendBoolProperty
+    bRotationRemainsVertical: SendBoolProperty
+    bInitialVelocityInLocalSpace: SendBoolProperty
+    bSimulationEnabled: SendBoolProperty
+    bForceSubStepping: SendBoolProperty
+    bIsHomingProjectile: SendBoolProperty
+    ProjectileGravityScale: SendFloatProperty
+    HomingAccelerationMagnitude: SendFloatProperty
     HomingTargetComponent: SendProperty[USceneComponent | Future[USceneComponent] | None]
-    MaxSimulationTimeStep: SendProperty[float | Future[float]]
-    MaxSimulationIterations: SendProperty[int | Future[int]]
+    MaxSimulationTimeStep: SendFloatProperty
+    MaxSimulationIterations: SendIntProperty
 
 class UProjectileMovementComponent(UProjectileMovementComponent_members, UMovementComponent):
     """Flies the updated component under gravity, with an optional homing target. The position over one step is exact

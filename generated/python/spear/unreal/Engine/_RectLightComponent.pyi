@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/Components/RectLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty, SendProperty
 from ._LocalLightComponent import ULocalLightComponent, ULocalLightComponent_async, ULocalLightComponent_members, ULocalLightComponent_send
 from ._Texture import UTexture, UTexture_async_path, UTexture_path
 
@@ -30,22 +30,22 @@ class URectLightComponent_members(ULocalLightComponent_members):
 
         Unreal: URectLightComponent.SetSourceWidth
         """
-    SourceWidth: Property[Path[float], float | Future[float]]
+    SourceWidth: FloatProperty
     """Width of the light source rectangle (local Y), in centimetres.
 
     Unreal: URectLightComponent.SourceWidth (float)
     """
-    SourceHeight: Property[Path[float], float | Future[float]]
+    SourceHeight: FloatProperty
     """Height of the light source rectangle (local Z), in centimetres.
 
     Unreal: URectLightComponent.SourceHeight (float)
     """
-    BarnDoorAngle: Property[Path[float], float | Future[float]]
+    BarnDoorAngle: FloatProperty
     """Angle of the barn doors attached to the rectangle, in degrees.
 
     Unreal: URectLightComponent.BarnDoorAngle (float)
     """
-    BarnDoorLength: Property[Path[float], float | Future[float]]
+    BarnDoorLength: FloatProperty
     """Length of the barn doors attached to the rectangle, in centimetres.
 
     Unreal: URectLightComponent.BarnDoorLength (float)
@@ -68,13 +68,13 @@ class URectLightComponent_async(ULocalLightComponent_async):
         """Sets the texture mapped to the rectangle."""
     def SetSourceWidth(self, bNewValue: float | Future[float]) -> Future[None]:
         """Sets the width of the rectangle, in centimetres."""
-    SourceWidth: Property[AsyncPath[float], float | Future[float]]
+    SourceWidth: AsyncFloatProperty
     """Width of the light source rectangle (local Y), in centimetres."""
-    SourceHeight: Property[AsyncPath[float], float | Future[float]]
+    SourceHeight: AsyncFloatProperty
     """Height of the light source rectangle (local Z), in centimetres."""
-    BarnDoorAngle: Property[AsyncPath[float], float | Future[float]]
+    BarnDoorAngle: AsyncFloatProperty
     """Angle of the barn doors attached to the rectangle, in degrees."""
-    BarnDoorLength: Property[AsyncPath[float], float | Future[float]]
+    BarnDoorLength: AsyncFloatProperty
     """Length of the barn doors attached to the rectangle, in centimetres."""
     SourceTexture: Property[UTexture_async_path, UTexture | Future[UTexture] | None]
     """Texture mapped to the light source rectangle."""
@@ -91,10 +91,10 @@ class URectLightComponent_send(ULocalLightComponent_send):
         """Sets the texture mapped to the rectangle."""
     def SetSourceWidth(self, bNewValue: float | Future[float]) -> None:
         """Sets the width of the rectangle, in centimetres."""
-    SourceWidth: SendProperty[float | Future[float]]
-    SourceHeight: SendProperty[float | Future[float]]
-    BarnDoorAngle: SendProperty[float | Future[float]]
-    BarnDoorLength: SendProperty[float | Future[float]]
+    SourceWidth: SendFloatProperty
+    SourceHeight: SendFloatProperty
+    BarnDoorAngle: SendFloatProperty
+    BarnDoorLength: SendFloatProperty
     SourceTexture: SendProperty[UTexture | Future[UTexture] | None]
 
 class URectLightComponent(URectLightComponent_members, ULocalLightComponent):

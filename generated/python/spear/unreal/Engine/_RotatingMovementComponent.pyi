@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/GameFramework/RotatingMovementComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncBoolProperty, AsyncObjectPath, BoolProperty, ObjectPath, Property, SendBoolProperty, SendProperty
 from ..CoreUObject._NoExportTypes import FRotator_async, FRotator_in, FRotator_path, FVector_async, FVector_in, FVector_path
 from ._MovementComponent import UMovementComponent, UMovementComponent_async, UMovementComponent_members, UMovementComponent_send
 
@@ -15,7 +15,7 @@ class URotatingMovementComponent_members(UMovementComponent_members):
 
     Unreal: URotatingMovementComponent.PivotTranslation (FVector)
     """
-    bRotationInLocalSpace: Property[Path[bool], bool | Future[bool]]
+    bRotationInLocalSpace: BoolProperty
     """Whether rotation is applied in local or world space.
 
     Unreal: URotatingMovementComponent.bRotationInLocalSpace (bool)
@@ -27,14 +27,14 @@ class URotatingMovementComponent_async(UMovementComponent_async):
     """How fast to update roll/pitch/yaw of the component we update, in degrees per second."""
     PivotTranslation: Property[FVector_async, FVector_in]
     """Translation of pivot point around which we rotate, relative to the current rotation, in centimetres."""
-    bRotationInLocalSpace: Property[AsyncPath[bool], bool | Future[bool]]
+    bRotationInLocalSpace: AsyncBoolProperty
     """Whether rotation is applied in local or world space."""
 
 class URotatingMovementComponent_send(UMovementComponent_send):
     """URotatingMovementComponent under ``send_``: no function answers."""
     RotationRate: SendProperty[FRotator_in]
     PivotTranslation: SendProperty[FVector_in]
-    bRotationInLocalSpace: SendProperty[bool | Future[bool]]
+    bRotationInLocalSpace: SendBoolProperty
 
 class URotatingMovementComponent(URotatingMovementComponent_members, UMovementComponent):
     """Turns the updated component at a constant rate, optionally about a pivot. Epic page:

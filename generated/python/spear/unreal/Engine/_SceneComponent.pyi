@@ -3,7 +3,8 @@ from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 from spear.enums import UnrealEnum
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath,
+    ArrayPath, AsyncArrayPath, AsyncBoolProperty, AsyncObjectPath, AsyncStrProperty, AsyncValuePath, BoolProperty, Future, ObjectPath, Property,
+    SendBoolProperty, SendProperty, SendStrProperty, StrProperty, ValuePath,
 )
 from ..CoreUObject._NoExportTypes import (
     FQuat, FRotator, FRotator_async, FRotator_in, FRotator_path, FTransform, FTransform_in, FVector, FVector_async, FVector_in, FVector_path,
@@ -375,7 +376,7 @@ class USceneComponent_members(UActorComponent_members):
 
     Unreal: USceneComponent.AttachParent (USceneComponent*)
     """
-    AttachSocketName: Property[Path[str], str | Future[str]]
+    AttachSocketName: StrProperty
     """Optional socket name on AttachParent that we are attached to.
 
     Unreal: USceneComponent.AttachSocketName (FName)
@@ -405,32 +406,32 @@ class USceneComponent_members(UActorComponent_members):
 
     Unreal: USceneComponent.ComponentVelocity (FVector)
     """
-    bAbsoluteLocation: Property[Path[bool], bool | Future[bool]]
+    bAbsoluteLocation: BoolProperty
     """If RelativeLocation should be considered relative to the world, rather than the parent.
 
     Unreal: USceneComponent.bAbsoluteLocation (bool)
     """
-    bAbsoluteRotation: Property[Path[bool], bool | Future[bool]]
+    bAbsoluteRotation: BoolProperty
     """If RelativeRotation should be considered relative to the world, rather than the parent.
 
     Unreal: USceneComponent.bAbsoluteRotation (bool)
     """
-    bAbsoluteScale: Property[Path[bool], bool | Future[bool]]
+    bAbsoluteScale: BoolProperty
     """If RelativeScale3D should be considered relative to the world, rather than the parent.
 
     Unreal: USceneComponent.bAbsoluteScale (bool)
     """
-    bVisible: Property[Path[bool], bool | Future[bool]]
+    bVisible: BoolProperty
     """Whether to completely draw the component; if false, the component is not drawn at all.
 
     Unreal: USceneComponent.bVisible (bool)
     """
-    bHiddenInGame: Property[Path[bool], bool | Future[bool]]
+    bHiddenInGame: BoolProperty
     """Whether to hide the component in game, if visible.
 
     Unreal: USceneComponent.bHiddenInGame (bool)
     """
-    bUseAttachParentBound: Property[Path[bool], bool | Future[bool]]
+    bUseAttachParentBound: BoolProperty
     """If true, this component uses its parent's bounds when attached.
 
     Unreal: USceneComponent.bUseAttachParentBound (bool)
@@ -543,7 +544,7 @@ class USceneComponent_async(UActorComponent_async):
         """Toggles the visibility of the component."""
     AttachParent: Property[USceneComponent_async_path, USceneComponent | Future[USceneComponent] | None]
     """What we are currently attached to."""
-    AttachSocketName: Property[AsyncPath[str], str | Future[str]]
+    AttachSocketName: AsyncStrProperty
     """Optional socket name on AttachParent that we are attached to."""
     AttachChildren: Property[AsyncArrayPath[USceneComponent | None, USceneComponent | Future[USceneComponent] | None, USceneComponent_async_path], Sequence[USceneComponent | Future[USceneComponent] | None] | Future[list[USceneComponent | None]]]
     """List of child components that are attached to us."""
@@ -555,17 +556,17 @@ class USceneComponent_async(UActorComponent_async):
     """Non-uniform scaling of the component relative to its parent."""
     ComponentVelocity: Property[FVector_async, FVector_in]
     """Velocity of the component, in centimetres per second."""
-    bAbsoluteLocation: Property[AsyncPath[bool], bool | Future[bool]]
+    bAbsoluteLocation: AsyncBoolProperty
     """If RelativeLocation should be considered relative to the world, rather than the parent."""
-    bAbsoluteRotation: Property[AsyncPath[bool], bool | Future[bool]]
+    bAbsoluteRotation: AsyncBoolProperty
     """If RelativeRotation should be considered relative to the world, rather than the parent."""
-    bAbsoluteScale: Property[AsyncPath[bool], bool | Future[bool]]
+    bAbsoluteScale: AsyncBoolProperty
     """If RelativeScale3D should be considered relative to the world, rather than the parent."""
-    bVisible: Property[AsyncPath[bool], bool | Future[bool]]
+    bVisible: AsyncBoolProperty
     """Whether to completely draw the component; if false, the component is not drawn at all."""
-    bHiddenInGame: Property[AsyncPath[bool], bool | Future[bool]]
+    bHiddenInGame: AsyncBoolProperty
     """Whether to hide the component in game, if visible."""
-    bUseAttachParentBound: Property[AsyncPath[bool], bool | Future[bool]]
+    bUseAttachParentBound: AsyncBoolProperty
     """If true, this component uses its parent's bounds when attached."""
     Mobility: Property[AsyncValuePath[EComponentMobility, EComponentMobility_in], EComponentMobility_in]
     """How often this component is allowed to move."""
@@ -671,18 +672,18 @@ class USceneComponent_send(UActorComponent_send):
     def ToggleVisibility(self, bPropagateToChildren: bool | Future[bool] = False) -> None:
         """Toggles the visibility of the component."""
     AttachParent: SendProperty[USceneComponent | Future[USceneComponent] | None]
-    AttachSocketName: SendProperty[str | Future[str]]
+    AttachSocketName: SendStrProperty
     AttachChildren: SendProperty[Sequence[USceneComponent | Future[USceneComponent] | None] | Future[list[USceneComponent | None]]]
     RelativeLocation: SendProperty[FVector_in]
     RelativeRotation: SendProperty[FRotator_in]
     RelativeScale3D: SendProperty[FVector_in]
     ComponentVelocity: SendProperty[FVector_in]
-    bAbsoluteLocation: SendProperty[bool | Future[bool]]
-    bAbsoluteRotation: SendProperty[bool | Future[bool]]
-    bAbsoluteScale: SendProperty[bool | Future[bool]]
-    bVisible: SendProperty[bool | Future[bool]]
-    bHiddenInGame: SendProperty[bool | Future[bool]]
-    bUseAttachParentBound: SendProperty[bool | Future[bool]]
+    bAbsoluteLocation: SendBoolProperty
+    bAbsoluteRotation: SendBoolProperty
+    bAbsoluteScale: SendBoolProperty
+    bVisible: SendBoolProperty
+    bHiddenInGame: SendBoolProperty
+    bUseAttachParentBound: SendBoolProperty
     Mobility: SendProperty[EComponentMobility_in]
 
 class USceneComponent(USceneComponent_members, UActorComponent):

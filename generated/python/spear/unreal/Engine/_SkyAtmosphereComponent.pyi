@@ -1,7 +1,9 @@
 # generated, do not edit (Engine: Public/Components/SkyAtmosphereComponent.h)
 from typing import TypeAlias
 from spear.enums import UnrealEnum
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncFloatProperty, AsyncObjectPath, AsyncValuePath, FloatProperty, Future, ObjectPath, Property, SendFloatProperty, SendProperty, ValuePath,
+)
 from ..CoreUObject._NoExportTypes import FColor_async, FColor_in, FColor_path, FLinearColor_async, FLinearColor_in, FLinearColor_path
 from ._Info import AInfo, AInfo_async, AInfo_members, AInfo_send
 from ._SceneComponent import USceneComponent, USceneComponent_async, USceneComponent_members, USceneComponent_send
@@ -78,7 +80,7 @@ class USkyAtmosphereComponent_members(USceneComponent_members):
 
     Unreal: USkyAtmosphereComponent.TransformMode (ESkyAtmosphereTransformMode)
     """
-    BottomRadius: Property[Path[float], float | Future[float]]
+    BottomRadius: FloatProperty
     """The radius of the planet from its centre to the ground, in kilometres.
 
     0.1 to 10000.0
@@ -90,21 +92,21 @@ class USkyAtmosphereComponent_members(USceneComponent_members):
 
     Unreal: USkyAtmosphereComponent.GroundAlbedo (FColor)
     """
-    AtmosphereHeight: Property[Path[float], float | Future[float]]
+    AtmosphereHeight: FloatProperty
     """The height of the atmosphere layer above the ground, in kilometres.
 
     at least 0.1
 
     Unreal: USkyAtmosphereComponent.AtmosphereHeight (float)
     """
-    MultiScatteringFactor: Property[Path[float], float | Future[float]]
+    MultiScatteringFactor: FloatProperty
     """Factor on the multiple scattering: 1 is physical.
 
     0.0 to 100.0
 
     Unreal: USkyAtmosphereComponent.MultiScatteringFactor (float)
     """
-    RayleighScatteringScale: Property[Path[float], float | Future[float]]
+    RayleighScatteringScale: FloatProperty
     """Rayleigh scattering coefficient scale, per kilometre.
 
     at least 0.0
@@ -116,28 +118,28 @@ class USkyAtmosphereComponent_members(USceneComponent_members):
 
     Unreal: USkyAtmosphereComponent.RayleighScattering (FLinearColor)
     """
-    RayleighExponentialDistribution: Property[Path[float], float | Future[float]]
+    RayleighExponentialDistribution: FloatProperty
     """The altitude at which the Rayleigh scattering effect is reduced to 40 %, in kilometres.
 
     at least 0.001
 
     Unreal: USkyAtmosphereComponent.RayleighExponentialDistribution (float)
     """
-    MieScatteringScale: Property[Path[float], float | Future[float]]
+    MieScatteringScale: FloatProperty
     """Mie scattering coefficient scale, per kilometre.
 
     at least 0.0
 
     Unreal: USkyAtmosphereComponent.MieScatteringScale (float)
     """
-    MieAnisotropy: Property[Path[float], float | Future[float]]
+    MieAnisotropy: FloatProperty
     """The phase function's eccentricity: 0 scatters all round, 1 only forward.
 
     0.0 to 0.999
 
     Unreal: USkyAtmosphereComponent.MieAnisotropy (float)
     """
-    MieExponentialDistribution: Property[Path[float], float | Future[float]]
+    MieExponentialDistribution: FloatProperty
     """The altitude at which the Mie effects are reduced to 40 %, in kilometres.
 
     at least 0.001
@@ -169,25 +171,25 @@ class USkyAtmosphereComponent_async(USceneComponent_async):
         """Sets the Rayleigh scattering scale."""
     TransformMode: Property[AsyncValuePath[ESkyAtmosphereTransformMode, ESkyAtmosphereTransformMode_in], ESkyAtmosphereTransformMode_in]
     """Where the planet is."""
-    BottomRadius: Property[AsyncPath[float], float | Future[float]]
+    BottomRadius: AsyncFloatProperty
     """The radius of the planet from its centre to the ground, in kilometres."""
     GroundAlbedo: Property[FColor_async, FColor_in]
     """The ground albedo that tints the light bouncing off the ground."""
-    AtmosphereHeight: Property[AsyncPath[float], float | Future[float]]
+    AtmosphereHeight: AsyncFloatProperty
     """The height of the atmosphere layer above the ground, in kilometres."""
-    MultiScatteringFactor: Property[AsyncPath[float], float | Future[float]]
+    MultiScatteringFactor: AsyncFloatProperty
     """Factor on the multiple scattering: 1 is physical."""
-    RayleighScatteringScale: Property[AsyncPath[float], float | Future[float]]
+    RayleighScatteringScale: AsyncFloatProperty
     """Rayleigh scattering coefficient scale, per kilometre."""
     RayleighScattering: Property[FLinearColor_async, FLinearColor_in]
     """The Rayleigh scattering coefficients resulting from molecules in the air, relative to each other."""
-    RayleighExponentialDistribution: Property[AsyncPath[float], float | Future[float]]
+    RayleighExponentialDistribution: AsyncFloatProperty
     """The altitude at which the Rayleigh scattering effect is reduced to 40 %, in kilometres."""
-    MieScatteringScale: Property[AsyncPath[float], float | Future[float]]
+    MieScatteringScale: AsyncFloatProperty
     """Mie scattering coefficient scale, per kilometre."""
-    MieAnisotropy: Property[AsyncPath[float], float | Future[float]]
+    MieAnisotropy: AsyncFloatProperty
     """The phase function's eccentricity: 0 scatters all round, 1 only forward."""
-    MieExponentialDistribution: Property[AsyncPath[float], float | Future[float]]
+    MieExponentialDistribution: AsyncFloatProperty
     """The altitude at which the Mie effects are reduced to 40 %, in kilometres."""
 
 class USkyAtmosphereComponent_send(USceneComponent_send):
@@ -213,16 +215,16 @@ class USkyAtmosphereComponent_send(USceneComponent_send):
     def SetRayleighScatteringScale(self, NewValue: float | Future[float]) -> None:
         """Sets the Rayleigh scattering scale."""
     TransformMode: SendProperty[ESkyAtmosphereTransformMode_in]
-    BottomRadius: SendProperty[float | Future[float]]
+    BottomRadius: SendFloatProperty
     GroundAlbedo: SendProperty[FColor_in]
-    AtmosphereHeight: SendProperty[float | Future[float]]
-    MultiScatteringFactor: SendProperty[float | Future[float]]
-    RayleighScatteringScale: SendProperty[float | Future[float]]
+    AtmosphereHeight: SendFloatProperty
+    MultiScatteringFactor: SendFloatProperty
+    RayleighScatteringScale: SendFloatProperty
     RayleighScattering: SendProperty[FLinearColor_in]
-    RayleighExponentialDistribution: SendProperty[float | Future[float]]
-    MieScatteringScale: SendProperty[float | Future[float]]
-    MieAnisotropy: SendProperty[float | Future[float]]
-    MieExponentialDistribution: SendProperty[float | Future[float]]
+    RayleighExponentialDistribution: SendFloatProperty
+    MieScatteringScale: SendFloatProperty
+    MieAnisotropy: SendFloatProperty
+    MieExponentialDistribution: SendFloatProperty
 
 class USkyAtmosphereComponent(USkyAtmosphereComponent_members, USceneComponent):
     """The air that makes the sky blue, lit by directional lights with bAtmosphereSunLight. Epic page:

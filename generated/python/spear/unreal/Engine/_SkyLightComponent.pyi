@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/Components/SkyLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncFloatProperty, AsyncObjectPath, BoolProperty, FloatProperty, Future, ObjectPath, Property, SendBoolProperty,
+    SendFloatProperty, SendProperty,
+)
 from ..CoreUObject._NoExportTypes import FLinearColor_async, FLinearColor_in, FLinearColor_path
 from ._LightComponentBase import ULightComponentBase, ULightComponentBase_async, ULightComponentBase_members, ULightComponentBase_send
 
@@ -30,12 +33,12 @@ class USkyLightComponent_members(ULightComponentBase_members):
 
         Unreal: USkyLightComponent.SetVolumetricScatteringIntensity
         """
-    SkyDistanceThreshold: Property[Path[float], float | Future[float]]
+    SkyDistanceThreshold: FloatProperty
     """Distance from the sky light at which any geometry should be treated as part of the sky, in centimetres.
 
     Unreal: USkyLightComponent.SkyDistanceThreshold (float)
     """
-    bLowerHemisphereIsBlack: Property[Path[bool], bool | Future[bool]]
+    bLowerHemisphereIsBlack: BoolProperty
     """Whether all distant lighting from the lower hemisphere should be set to LowerHemisphereColor.
 
     Unreal: USkyLightComponent.bLowerHemisphereIsBlack (bool)
@@ -58,9 +61,9 @@ class USkyLightComponent_async(ULightComponentBase_async):
         """Sets the colour of the lower hemisphere, linear."""
     def SetVolumetricScatteringIntensity(self, NewIntensity: float | Future[float]) -> Future[None]:
         """Sets the scale of the volumetric scattering."""
-    SkyDistanceThreshold: Property[AsyncPath[float], float | Future[float]]
+    SkyDistanceThreshold: AsyncFloatProperty
     """Distance from the sky light at which any geometry should be treated as part of the sky, in centimetres."""
-    bLowerHemisphereIsBlack: Property[AsyncPath[bool], bool | Future[bool]]
+    bLowerHemisphereIsBlack: AsyncBoolProperty
     """Whether all distant lighting from the lower hemisphere should be set to LowerHemisphereColor."""
     LowerHemisphereColor: Property[FLinearColor_async, FLinearColor_in]
     """The colour of the lower hemisphere, linear."""
@@ -77,8 +80,8 @@ class USkyLightComponent_send(ULightComponentBase_send):
         """Sets the colour of the lower hemisphere, linear."""
     def SetVolumetricScatteringIntensity(self, NewIntensity: float | Future[float]) -> None:
         """Sets the scale of the volumetric scattering."""
-    SkyDistanceThreshold: SendProperty[float | Future[float]]
-    bLowerHemisphereIsBlack: SendProperty[bool | Future[bool]]
+    SkyDistanceThreshold: SendFloatProperty
+    bLowerHemisphereIsBlack: SendBoolProperty
     LowerHemisphereColor: SendProperty[FLinearColor_in]
 
 class USkyLightComponent(USkyLightComponent_members, ULightComponentBase):

@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/Components/SphereComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, SendFloatProperty
 from ._ShapeComponent import UShapeComponent, UShapeComponent_async, UShapeComponent_members, UShapeComponent_send
 
 class USphereComponent_members(UShapeComponent_members):
@@ -24,7 +24,7 @@ class USphereComponent_members(UShapeComponent_members):
 
         Unreal: USphereComponent.SetSphereRadius
         """
-    SphereRadius: Property[Path[float], float | Future[float]]
+    SphereRadius: FloatProperty
     """The radius of the sphere, in centimetres, before the component's scale.
 
     at least 0
@@ -42,7 +42,7 @@ class USphereComponent_async(UShapeComponent_async):
         """Returns the radius of the sphere, ignoring the component scale, in centimetres."""
     def SetSphereRadius(self, InSphereRadius: float | Future[float], bUpdateOverlaps: bool | Future[bool] = True) -> Future[None]:
         """Changes the sphere radius."""
-    SphereRadius: Property[AsyncPath[float], float | Future[float]]
+    SphereRadius: AsyncFloatProperty
     """The radius of the sphere, in centimetres, before the component's scale."""
 
 class USphereComponent_send(UShapeComponent_send):
@@ -55,7 +55,7 @@ class USphereComponent_send(UShapeComponent_send):
         """Returns the radius of the sphere, ignoring the component scale, in centimetres."""
     def SetSphereRadius(self, InSphereRadius: float | Future[float], bUpdateOverlaps: bool | Future[bool] = True) -> None:
         """Changes the sphere radius."""
-    SphereRadius: SendProperty[float | Future[float]]
+    SphereRadius: SendFloatProperty
 
 class USphereComponent(USphereComponent_members, UShapeComponent):
     """A sphere for simple collision. Under non-uniform scale its radius follows the smallest axis. Epic page:

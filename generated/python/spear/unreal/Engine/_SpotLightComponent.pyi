@@ -1,5 +1,5 @@
 # generated, do not edit (Engine: Public/Components/SpotLightComponent.h)
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncFloatProperty, AsyncObjectPath, FloatProperty, Future, ObjectPath, SendFloatProperty
 from ._PointLightComponent import UPointLightComponent, UPointLightComponent_async, UPointLightComponent_members, UPointLightComponent_send
 
 class USpotLightComponent_members(UPointLightComponent_members):
@@ -14,12 +14,12 @@ class USpotLightComponent_members(UPointLightComponent_members):
 
         Unreal: USpotLightComponent.SetOuterConeAngle
         """
-    InnerConeAngle: Property[Path[float], float | Future[float]]
+    InnerConeAngle: FloatProperty
     """Half the angle of the cone of full intensity, in degrees.
 
     Unreal: USpotLightComponent.InnerConeAngle (float)
     """
-    OuterConeAngle: Property[Path[float], float | Future[float]]
+    OuterConeAngle: FloatProperty
     """Half the angle of the cone outside which there is no light, in degrees.
 
     Unreal: USpotLightComponent.OuterConeAngle (float)
@@ -31,9 +31,9 @@ class USpotLightComponent_async(UPointLightComponent_async):
         """Sets the inner cone angle, in degrees."""
     def SetOuterConeAngle(self, NewOuterConeAngle: float | Future[float]) -> Future[None]:
         """Sets the outer cone angle, in degrees."""
-    InnerConeAngle: Property[AsyncPath[float], float | Future[float]]
+    InnerConeAngle: AsyncFloatProperty
     """Half the angle of the cone of full intensity, in degrees."""
-    OuterConeAngle: Property[AsyncPath[float], float | Future[float]]
+    OuterConeAngle: AsyncFloatProperty
     """Half the angle of the cone outside which there is no light, in degrees."""
 
 class USpotLightComponent_send(UPointLightComponent_send):
@@ -42,8 +42,8 @@ class USpotLightComponent_send(UPointLightComponent_send):
         """Sets the inner cone angle, in degrees."""
     def SetOuterConeAngle(self, NewOuterConeAngle: float | Future[float]) -> None:
         """Sets the outer cone angle, in degrees."""
-    InnerConeAngle: SendProperty[float | Future[float]]
-    OuterConeAngle: SendProperty[float | Future[float]]
+    InnerConeAngle: SendFloatProperty
+    OuterConeAngle: SendFloatProperty
 
 class USpotLightComponent(USpotLightComponent_members, UPointLightComponent):
     """A point light that shines in a cone along the local X axis. Epic page: USpotLightComponent.

@@ -3,7 +3,7 @@ from collections.abc import Sequence
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
 from spear.typing import (
-    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, StructPath,
+    ArrayPath, AsyncArrayPath, AsyncObjectPath, AsyncStrProperty, AsyncValuePath, Future, ObjectPath, Property, SendProperty, StrProperty, StructPath,
 )
 from ..CoreUObject._NoExportTypes import FBox, FBoxSphereBounds
 from ._MaterialInterface import UMaterialInterface, UMaterialInterface_async_path, UMaterialInterface_path
@@ -32,13 +32,13 @@ class FStaticMaterial_path(StructPath[FStaticMaterial, FStaticMaterial_in, FStat
     """A variable of type FStaticMaterial: its path."""
     MaterialInterface: Property[UMaterialInterface_path, UMaterialInterface | Future[UMaterialInterface] | None]
     """The material that sections of this slot are drawn with."""
-    MaterialSlotName: Property[Path[str], str | Future[str]]
+    MaterialSlotName: StrProperty
     """Name by which the slot is found, see UStaticMesh::GetMaterialIndex."""
 
 class FStaticMaterial_async(AsyncValuePath[FStaticMaterial, FStaticMaterial_in]):
     """The same under ``async_``."""
     MaterialInterface: Property[UMaterialInterface_async_path, UMaterialInterface | Future[UMaterialInterface] | None]
-    MaterialSlotName: Property[AsyncPath[str], str | Future[str]]
+    MaterialSlotName: AsyncStrProperty
 
 class UStaticMesh_members(UStreamableRenderAsset_members):
     """Functions and variables of UStaticMesh."""

@@ -1,6 +1,6 @@
 # generated, do not edit (Engine: Public/Components/StaticMeshComponent.h)
 from typing import NamedTuple
-from spear.typing import AsyncObjectPath, AsyncPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import AsyncBoolProperty, AsyncObjectPath, BoolProperty, Future, ObjectPath, Property, SendBoolProperty, SendProperty
 from ..CoreUObject._NoExportTypes import FVector
 from ._MeshComponent import UMeshComponent, UMeshComponent_async, UMeshComponent_members, UMeshComponent_send
 from ._StaticMesh import UStaticMesh, UStaticMesh_async_path, UStaticMesh_path
@@ -33,7 +33,7 @@ class UStaticMeshComponent_members(UMeshComponent_members):
 
     Unreal: UStaticMeshComponent.StaticMesh (UStaticMesh*)
     """
-    bReverseCulling: Property[Path[bool], bool | Future[bool]]
+    bReverseCulling: BoolProperty
     """Controls whether the static mesh component's backface culling should be reversed.
 
     Unreal: UStaticMeshComponent.bReverseCulling (bool)
@@ -49,7 +49,7 @@ class UStaticMeshComponent_async(UMeshComponent_async):
         """Changes the mesh used by this instance; refused for a registered static component in a game."""
     StaticMesh: Property[UStaticMesh_async_path, UStaticMesh | Future[UStaticMesh] | None]
     """The static mesh that this component uses to render."""
-    bReverseCulling: Property[AsyncPath[bool], bool | Future[bool]]
+    bReverseCulling: AsyncBoolProperty
     """Controls whether the static mesh component's backface culling should be reversed."""
 
 class UStaticMeshComponent_send(UMeshComponent_send):
@@ -61,7 +61,7 @@ class UStaticMeshComponent_send(UMeshComponent_send):
     def SetStaticMesh(self, NewMesh: UStaticMesh | Future[UStaticMesh]) -> None:
         """Changes the mesh used by this instance; refused for a registered static component in a game."""
     StaticMesh: SendProperty[UStaticMesh | Future[UStaticMesh] | None]
-    bReverseCulling: SendProperty[bool | Future[bool]]
+    bReverseCulling: SendBoolProperty
 
 class UStaticMeshComponent(UStaticMeshComponent_members, UMeshComponent):
     """Shows a UStaticMesh. Epic page: UStaticMeshComponent.

@@ -1,11 +1,13 @@
 # generated, do not edit (Engine: Public/Engine/Texture.h)
-from spear.typing import AsyncObjectPath, AsyncPath, AsyncValuePath, Future, ObjectPath, Path, Property, SendProperty, ValuePath
+from spear.typing import (
+    AsyncBoolProperty, AsyncObjectPath, AsyncValuePath, BoolProperty, ObjectPath, Property, SendBoolProperty, SendProperty, ValuePath,
+)
 from ._StreamableRenderAsset import UStreamableRenderAsset, UStreamableRenderAsset_async, UStreamableRenderAsset_members, UStreamableRenderAsset_send
 from ._TextureDefines import TextureFilter, TextureFilter_in
 
 class UTexture_members(UStreamableRenderAsset_members):
     """Functions and variables of UTexture."""
-    SRGB: Property[Path[bool], bool | Future[bool]]
+    SRGB: BoolProperty
     """Whether colour channels hold sRGB-encoded values; data maps (normals, roughness) are linear. Alpha is always
     linear.
 
@@ -19,14 +21,14 @@ class UTexture_members(UStreamableRenderAsset_members):
 
 class UTexture_async(UStreamableRenderAsset_async):
     """UTexture under ``async_``: each function gives a future."""
-    SRGB: Property[AsyncPath[bool], bool | Future[bool]]
+    SRGB: AsyncBoolProperty
     """Whether colour channels hold sRGB-encoded values; data maps (normals, roughness) are linear."""
     Filter: Property[AsyncValuePath[TextureFilter, TextureFilter_in], TextureFilter_in]
     """How the texture is sampled between texels."""
 
 class UTexture_send(UStreamableRenderAsset_send):
     """UTexture under ``send_``: no function answers."""
-    SRGB: SendProperty[bool | Future[bool]]
+    SRGB: SendBoolProperty
     Filter: SendProperty[TextureFilter_in]
 
 class UTexture(UTexture_members, UStreamableRenderAsset):

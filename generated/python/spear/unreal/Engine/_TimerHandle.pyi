@@ -1,7 +1,7 @@
 # generated, do not edit (Engine: Public/Engine/TimerHandle.h)
 from typing import TypeAlias, TypedDict
 from spear.structs import Struct
-from spear.typing import AsyncPath, AsyncValuePath, Future, Numbers, Path, Property, StructPath
+from spear.typing import AsyncIntProperty, AsyncValuePath, Future, IntProperty, Numbers, StructPath
 
 class FTimerHandle(Struct):
     """Unique handle that can be used to distinguish timers that have identical delegates.
@@ -23,9 +23,9 @@ FTimerHandle_in: TypeAlias = FTimerHandle | FTimerHandle_dict | Future[FTimerHan
 
 class FTimerHandle_path(StructPath[FTimerHandle, FTimerHandle_in, FTimerHandle_async]):
     """A variable of type FTimerHandle: its path."""
-    Handle: Property[Path[int], int | Future[int]]
+    Handle: IntProperty
     """Serial number of the timer; 0 is no timer."""
 
 class FTimerHandle_async(AsyncValuePath[FTimerHandle, FTimerHandle_in]):
     """The same under ``async_``."""
-    Handle: Property[AsyncPath[int], int | Future[int]]
+    Handle: AsyncIntProperty

@@ -1,5 +1,8 @@
 # generated, do not edit (Engine: Public/GameFramework/WorldSettings.h)
-from spear.typing import AsyncClassPath, AsyncObjectPath, AsyncPath, ClassPath, Future, ObjectPath, Path, Property, SendProperty
+from spear.typing import (
+    AsyncBoolProperty, AsyncClassPath, AsyncFloatProperty, AsyncObjectPath, BoolProperty, ClassPath, FloatProperty, Future, ObjectPath, Property,
+    SendBoolProperty, SendFloatProperty, SendProperty,
+)
 from ..CoreUObject._Intrinsic import UClass
 from ._GameModeBase import AGameModeBase
 from ._Info import AInfo, AInfo_async, AInfo_members, AInfo_send
@@ -7,33 +10,33 @@ from ._PlayerState import APlayerState, APlayerState_async_path, APlayerState_pa
 
 class AWorldSettings_members(AInfo_members):
     """Functions and variables of AWorldSettings."""
-    bGlobalGravitySet: Property[Path[bool], bool | Future[bool]]
+    bGlobalGravitySet: BoolProperty
     """If true, GlobalGravityZ is used; otherwise the default gravity, -980 cm/s^2.
 
     Unreal: AWorldSettings.bGlobalGravitySet (bool)
     """
-    bEnableWorldBoundsChecks: Property[Path[bool], bool | Future[bool]]
+    bEnableWorldBoundsChecks: BoolProperty
     """If true, enables KillZ checks: actors that fall below it are destroyed.
 
     Unreal: AWorldSettings.bEnableWorldBoundsChecks (bool)
     """
-    bWorldGravitySet: Property[Path[bool], bool | Future[bool]]
+    bWorldGravitySet: BoolProperty
     """If true, WorldGravityZ has been set and is used as it is.
 
     Unreal: AWorldSettings.bWorldGravitySet (bool)
     """
-    KillZ: Property[Path[float], float | Future[float]]
+    KillZ: FloatProperty
     """Any actor falling below this level gets destroyed, in centimetres. Checked for actors that move by a movement
     component.
 
     Unreal: AWorldSettings.KillZ (float)
     """
-    WorldGravityZ: Property[Path[float], float | Future[float]]
+    WorldGravityZ: FloatProperty
     """Current gravity actually being used, in centimetres per second squared, see GetGravityZ.
 
     Unreal: AWorldSettings.WorldGravityZ (float)
     """
-    GlobalGravityZ: Property[Path[float], float | Future[float]]
+    GlobalGravityZ: FloatProperty
     """Level specific gravity value used if bGlobalGravitySet, in centimetres per second squared.
 
     Unreal: AWorldSettings.GlobalGravityZ (float)
@@ -44,39 +47,39 @@ class AWorldSettings_members(AInfo_members):
 
     Unreal: AWorldSettings.DefaultGameMode (TSubclassOf<AGameModeBase>)
     """
-    TimeDilation: Property[Path[float], float | Future[float]]
+    TimeDilation: FloatProperty
     """Normally 1 - scales real time passage. Warning - most use cases should use GetEffectiveTimeDilation() instead
     of reading from this directly.
 
     Unreal: AWorldSettings.TimeDilation (float)
     """
-    CinematicTimeDilation: Property[Path[float], float | Future[float]]
+    CinematicTimeDilation: FloatProperty
     """Additional TimeDilation used to control demo playback speed.
 
     Unreal: AWorldSettings.CinematicTimeDilation (float)
     """
-    MinGlobalTimeDilation: Property[Path[float], float | Future[float]]
+    MinGlobalTimeDilation: FloatProperty
     """Lowest acceptable global time dilation.
 
     at least 0
 
     Unreal: AWorldSettings.MinGlobalTimeDilation (float)
     """
-    MaxGlobalTimeDilation: Property[Path[float], float | Future[float]]
+    MaxGlobalTimeDilation: FloatProperty
     """Highest acceptable global time dilation.
 
     at least 0
 
     Unreal: AWorldSettings.MaxGlobalTimeDilation (float)
     """
-    MinUndilatedFrameTime: Property[Path[float], float | Future[float]]
+    MinUndilatedFrameTime: FloatProperty
     """Smallest possible frametime, not considering dilation. Equiv to 1/FastestFPS. Seconds.
 
     at least 0
 
     Unreal: AWorldSettings.MinUndilatedFrameTime (float)
     """
-    MaxUndilatedFrameTime: Property[Path[float], float | Future[float]]
+    MaxUndilatedFrameTime: FloatProperty
     """Largest possible frametime, not considering dilation. Equiv to 1/SlowestFPS. Seconds.
 
     at least 0
@@ -91,50 +94,50 @@ class AWorldSettings_members(AInfo_members):
 
 class AWorldSettings_async(AInfo_async):
     """AWorldSettings under ``async_``: each function gives a future."""
-    bGlobalGravitySet: Property[AsyncPath[bool], bool | Future[bool]]
+    bGlobalGravitySet: AsyncBoolProperty
     """If true, GlobalGravityZ is used; otherwise the default gravity, -980 cm/s^2."""
-    bEnableWorldBoundsChecks: Property[AsyncPath[bool], bool | Future[bool]]
+    bEnableWorldBoundsChecks: AsyncBoolProperty
     """If true, enables KillZ checks: actors that fall below it are destroyed."""
-    bWorldGravitySet: Property[AsyncPath[bool], bool | Future[bool]]
+    bWorldGravitySet: AsyncBoolProperty
     """If true, WorldGravityZ has been set and is used as it is."""
-    KillZ: Property[AsyncPath[float], float | Future[float]]
+    KillZ: AsyncFloatProperty
     """Any actor falling below this level gets destroyed, in centimetres."""
-    WorldGravityZ: Property[AsyncPath[float], float | Future[float]]
+    WorldGravityZ: AsyncFloatProperty
     """Current gravity actually being used, in centimetres per second squared, see GetGravityZ."""
-    GlobalGravityZ: Property[AsyncPath[float], float | Future[float]]
+    GlobalGravityZ: AsyncFloatProperty
     """Level specific gravity value used if bGlobalGravitySet, in centimetres per second squared."""
     DefaultGameMode: Property[AsyncClassPath[UClass, type[AGameModeBase] | UClass | str | Future[UClass] | None], type[AGameModeBase] | UClass | str | Future[UClass] | None]
     """The default GameMode to use when starting this map in the game."""
-    TimeDilation: Property[AsyncPath[float], float | Future[float]]
+    TimeDilation: AsyncFloatProperty
     """Normally 1 - scales real time passage."""
-    CinematicTimeDilation: Property[AsyncPath[float], float | Future[float]]
+    CinematicTimeDilation: AsyncFloatProperty
     """Additional TimeDilation used to control demo playback speed."""
-    MinGlobalTimeDilation: Property[AsyncPath[float], float | Future[float]]
+    MinGlobalTimeDilation: AsyncFloatProperty
     """Lowest acceptable global time dilation."""
-    MaxGlobalTimeDilation: Property[AsyncPath[float], float | Future[float]]
+    MaxGlobalTimeDilation: AsyncFloatProperty
     """Highest acceptable global time dilation."""
-    MinUndilatedFrameTime: Property[AsyncPath[float], float | Future[float]]
+    MinUndilatedFrameTime: AsyncFloatProperty
     """Smallest possible frametime, not considering dilation."""
-    MaxUndilatedFrameTime: Property[AsyncPath[float], float | Future[float]]
+    MaxUndilatedFrameTime: AsyncFloatProperty
     """Largest possible frametime, not considering dilation."""
     PauserPlayerState: Property[APlayerState_async_path, APlayerState | Future[APlayerState] | None]
     """If paused, PlayerState of person pausing the game."""
 
 class AWorldSettings_send(AInfo_send):
     """AWorldSettings under ``send_``: no function answers."""
-    bGlobalGravitySet: SendProperty[bool | Future[bool]]
-    bEnableWorldBoundsChecks: SendProperty[bool | Future[bool]]
-    bWorldGravitySet: SendProperty[bool | Future[bool]]
-    KillZ: SendProperty[float | Future[float]]
-    WorldGravityZ: SendProperty[float | Future[float]]
-    GlobalGravityZ: SendProperty[float | Future[float]]
+    bGlobalGravitySet: SendBoolProperty
+    bEnableWorldBoundsChecks: SendBoolProperty
+    bWorldGravitySet: SendBoolProperty
+    KillZ: SendFloatProperty
+    WorldGravityZ: SendFloatProperty
+    GlobalGravityZ: SendFloatProperty
     DefaultGameMode: SendProperty[type[AGameModeBase] | UClass | str | Future[UClass] | None]
-    TimeDilation: SendProperty[float | Future[float]]
-    CinematicTimeDilation: SendProperty[float | Future[float]]
-    MinGlobalTimeDilation: SendProperty[float | Future[float]]
-    MaxGlobalTimeDilation: SendProperty[float | Future[float]]
-    MinUndilatedFrameTime: SendProperty[float | Future[float]]
-    MaxUndilatedFrameTime: SendProperty[float | Future[float]]
+    TimeDilation: SendFloatProperty
+    CinematicTimeDilation: SendFloatProperty
+    MinGlobalTimeDilation: SendFloatProperty
+    MaxGlobalTimeDilation: SendFloatProperty
+    MinUndilatedFrameTime: SendFloatProperty
+    MaxUndilatedFrameTime: SendFloatProperty
     PauserPlayerState: SendProperty[APlayerState | Future[APlayerState] | None]
 
 class AWorldSettings(AWorldSettings_members, AInfo):

@@ -351,7 +351,8 @@ bool FValueReader::ConvertEnum(
         To = 0;
         int64 Left = From;
         for (const FEnumConversion::FEntry& Entry : Entries) {
-            const bool bOneBit = Entry.From != 0 && (static_cast<uint64>(Entry.From) & (static_cast<uint64>(Entry.From) - 1)) == 0;
+            const bool bOneBit =
+                Entry.From != 0 && (static_cast<uint64>(Entry.From) & (static_cast<uint64>(Entry.From) - 1)) == 0;
             if (bOneBit && (Left & Entry.From) != 0) {
                 if (!Entry.bKnown) {
                     Unknown = &Entry;

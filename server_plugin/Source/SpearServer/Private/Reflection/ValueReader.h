@@ -45,7 +45,8 @@ struct FStructConversion {
     bool bDirect = false;
     std::string UnknownField; ///< not empty: the wire type does not fit
 };
-/// How the numbers of an announced enum become the engine's: by the names of the entries, as the sender's may be of another version.
+/// How the numbers of an announced enum become the engine's: by the names of the entries, as the sender's may be of
+/// another version.
 struct FEnumConversion {
     struct FEntry {
         std::string Name;

@@ -6,12 +6,12 @@ from __future__ import annotations
 import sys
 
 import measure
-import sample_program
+import program_text
 from subject import Subject
 
 
 def test_program_is_long_and_states_types(subject: Subject) -> None:
-    text = sample_program.write(subject)
+    text = program_text.write(subject)
     assert text.count("\n") >= 200 and text.count("assert_type") >= 80
     for form in ("Future[", "list[", ".send_.", "= True"):
         assert form in text
