@@ -291,7 +291,8 @@ class _HeaderFiles:
         result.left_out += writer.left_out
 
     def _file(self, part: list[Piece], text: str, origin: str, number: int, parts: int, owner: Mapping[str, int], conflicts: bool) -> str:
-        words = set(re.findall(r"\w+", re.sub(r'""".*?"""', "", text, flags=re.DOTALL)))
+        # Names before a colon and a blank are those of parameters and variables.
+        words = set(re.findall(r"\b\w+\b(?!: (?!\.\.\.))", re.sub(r'""".*?"""', "", text, flags=re.DOTALL)))
         variables = [line for name, line in sorted(self.variables.items()) if name in words]
         words.update(word for line in variables for word in re.findall(r"\w+", line))
         by_source: dict[str, list[tuple[str, str]]] = {}

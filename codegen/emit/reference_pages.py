@@ -222,7 +222,8 @@ class Pages:
                 badges.append(("strong", "flags", "values may be combined"))
             badges.append(("", {"class": "enum class", "namespaced": "in a namespace", "regular": "plain enum"}[entity["form"]], ""))
         elif page.kind == "delegate":
-            badges.append(("strong", entity["kind"], {"single": "one listener", "multicast": "any number of listeners", "sparse": "any number of listeners; empty costs nothing"}[entity["kind"]]))
+            meaning = {"single": "one listener", "multicast": "any number of listeners", "sparse": "any number of listeners; empty costs nothing"}
+            badges.append(("strong", entity["kind"], meaning[entity["kind"]]))
         if entity.get("source", {}).get("editor_only"):
             badges.append(("warn", "editor only", "not there in packaged builds"))
         return badges

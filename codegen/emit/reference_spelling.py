@@ -226,7 +226,8 @@ class Speller:
             holder = "{}" if plain_struct(page.entity["name"], self.schemas) else "spear::ObjectField<{}>" if is_object(node, dim) else "spear::Field<{}>"
             return _spelling([f"{python}: {value}{' | None' if is_reference else ''}"], [f"{holder.format(cpp_value)} {cpp}"])
         if entity["name"] in self._functions:  # the name means the function
-            return _spelling([f'get("{entity["name"]}") -> {value}', f'set("{entity["name"]}", value)'], [f"{cpp_value} {cpp}_property().get()", f"void {cpp}_property().set({cpp_value} value)"])
+            return _spelling([f'get("{entity["name"]}") -> {value}', f'set("{entity["name"]}", value)'],
+                             [f"{cpp_value} {cpp}_property().get()", f"void {cpp}_property().set({cpp_value} value)"])
         python_lines = [f"{python}.get() -> {value}"]
         if is_reference:
             python_lines.append(f"{python}.get_or_none() -> {value} | None")

@@ -97,8 +97,8 @@ class Signature:
     #: False: calling it raises NotCallable (custom thunk).
     callable: bool
     deprecated: str
-    #: Results that raise NullObject when they are null: "Function" (the only result), "Function.ReturnValue" (one of several), each with "[]"
-    #: behind it where it is an array or set of objects, none of which is null.
+    #: Results that raise NullObject when they are null: "Function" (the only result), "Function.ReturnValue" or "Function.Parameter" (one of
+    #: several), each with "[]" behind it where it is an array or set of objects, none of which is null.
     never_null: tuple[str, ...]
 
 
@@ -168,8 +168,10 @@ def signature(function: Entity, schemas: SchemaSet) -> Signature:
     outputs: list[Output] = []
     if returned:
         outputs.append(Output("ReturnValue", names["ReturnValue"], returned["type"], returned.get("array_dim", 1), says_null, True, returned))
-    # Out-parameters are what is left alone when there is nothing to give: any object there may be null.
-    outputs += [Output(p["name"], names[p["name"]], p["type"], p["array_dim"], True, False, p) for p in out_parameters]
+    # An out-parameter is left alone when there is nothing to give: an object there may be null. Lists are empty then.
+    for parameter in out_parameters:
+        nullable = says_null or parameter["type"]["kind"] not in ("array", "set")
+        outputs.append(Output(parameter["name"], names[parameter["name"]], parameter["type"], parameter["array_dim"], nullable, False, parameter))
     returns = "none" if not outputs else "single" if len(outputs) == 1 and returned else "tuple"
     return Signature(
         function["name"], tuple(inputs), tuple(outputs), returns, is_static, latent, world_context,

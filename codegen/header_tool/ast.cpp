@@ -157,7 +157,7 @@ CXChildVisitResult visit(CXCursor cursor, CXCursor, CXClientData data) {
                         take(clang_getCursorSpelling(function)) == delegate_function;
         if (!delegate)
             return kind == CXCursor_StructDecl && is_main_file(clang_getCursorLocation(cursor)) ? CXChildVisit_Recurse
-                                                                                                 : CXChildVisit_Continue;
+                                                                                                : CXChildVisit_Continue;
     }
     switch (kind) {
     case CXCursor_FieldDecl:

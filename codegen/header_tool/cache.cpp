@@ -101,7 +101,7 @@ std::optional<CacheEntry> Cache::load(const Hash& key) {
         return std::nullopt;
     std::string file = file_of(key);
     Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    struct stat status {};
+    struct stat status{};
     if (descriptor.get() < 0 || fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
         return std::nullopt;
     auto size = static_cast<std::uint64_t>(status.st_size);
@@ -168,7 +168,7 @@ void Cache::evict() {
             continue;
         Item item{it->last_write_time(own), it->file_size(own), it->path()};
         if (own)
-            continue; // removed by another run meanwhile
+            continue;                           // removed by another run meanwhile
         if (item.path.extension() == ".part") { // of a run that was killed
             if (now - item.used > left_behind_after)
                 fs::remove(item.path, own);
@@ -210,7 +210,7 @@ std::string default_cache_folder() {
 
 std::optional<Hash> tool_fingerprint() {
     Descriptor descriptor(open("/proc/self/exe", O_RDONLY | O_CLOEXEC));
-    struct stat status {};
+    struct stat status{};
     if (descriptor.get() < 0 || fstat(descriptor.get(), &status) != 0)
         return std::nullopt;
     std::optional<std::string> bytes = read_all(descriptor.get(), static_cast<std::uint64_t>(status.st_size));

@@ -121,9 +121,8 @@ private:
         return condition != 0 ? yes : no;
     }
 
-    static constexpr std::array<std::array<std::string_view, 4>, 10> levels{
-        {{"||"}, {"&&"}, {"|"}, {"^"}, {"&"}, {"==", "!="}, {"<=", ">=", "<", ">"}, {"<<", ">>"}, {"+", "-"},
-            {"*", "/", "%"}}};
+    static constexpr std::array<std::array<std::string_view, 4>, 10> levels{{{"||"}, {"&&"}, {"|"}, {"^"}, {"&"},
+        {"==", "!="}, {"<=", ">=", "<", ">"}, {"<<", ">>"}, {"+", "-"}, {"*", "/", "%"}}};
 
     long long binary(std::size_t level) {
         if (level == levels.size())
@@ -386,12 +385,11 @@ std::vector<ConstantFacts> find_constants(const LexResult& lexed) {
             std::size_t k = i + 1;
             for (; k < last && !t[k].is("{") && !t[k].is(";") && !t[k].is("(") && !t[k].is(":") && !t[k].is("<") &&
                    !t[k].is(">") && !t[k].is("=");
-                 ++k)
+                ++k)
                 if (t[k].identifier() && !t[k].is("final") && !(i > 0 && t[i - 1].is("enum")))
                     name = t[k].text;
             while (k < last && t[k].is(":") && !t[k].is("{") && !t[k].is(";"))
-                for (++k; k < last && !t[k].is("{") && !t[k].is(";"); ++k) {
-                }
+                for (++k; k < last && !t[k].is("{") && !t[k].is(";"); ++k) {}
             if (t[k].is("{") && !(i > 0 && t[i - 1].is("enum"))) {
                 scopes.emplace_back(matching(t, k), name);
                 i = k;

@@ -124,8 +124,8 @@ std::vector<std::unique_ptr<Header>> find_headers(const std::vector<ModuleInfo>&
     return out;
 }
 
-void write_depfile(const std::string& path, const std::string& output,
-    const std::vector<std::string>& headers, const std::vector<std::string>& imports) {
+void write_depfile(const std::string& path, const std::string& output, const std::vector<std::string>& headers,
+    const std::vector<std::string>& imports) {
     auto escape = [](const std::string& name) {
         std::string out;
         for (char c : name) {

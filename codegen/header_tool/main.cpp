@@ -10,26 +10,30 @@ int main(int argc, char** argv) {
         "Reads Unreal Engine C++ headers, with or without an engine, and writes their reflection as schema.json.",
         "spear-header-tool"};
     app.require_subcommand(1);
-    app.footer("The format is described in codegen/SCHEMA.md.\n\nExit codes: 0 written; 1 --strict found errors, nothing was "
-               "written; 2 wrong arguments, or a place that could not be used (what the others hold was written).");
+    app.footer(
+        "The format is described in codegen/SCHEMA.md.\n\nExit codes: 0 written; 1 --strict found errors, nothing was "
+        "written; 2 wrong arguments, or a place that could not be used (what the others hold was written).");
     DumpOptions options;
     CLI::App* dump = app.add_subcommand("dump", "Write the schema of modules, plugins, projects or an engine.");
-    dump->footer("Examples:\n"
-                 "  spear-header-tool dump --project MyGame/MyGame.uproject -o schema.json\n"
-                 "  spear-header-tool dump --project MyGame --engine /opt/UnrealEngine -o schema.json --report report.json\n"
-                 "  spear-header-tool dump --engine /opt/UnrealEngine -o engine.schema.json\n"
-                 "  spear-header-tool dump --module Foo=Source/Foo --import engine.schema.json --strict -o foo.schema.json");
+    dump->footer(
+        "Examples:\n"
+        "  spear-header-tool dump --project MyGame/MyGame.uproject -o schema.json\n"
+        "  spear-header-tool dump --project MyGame --engine /opt/UnrealEngine -o schema.json --report report.json\n"
+        "  spear-header-tool dump --engine /opt/UnrealEngine -o engine.schema.json\n"
+        "  spear-header-tool dump --module Foo=Source/Foo --import engine.schema.json --strict -o foo.schema.json");
     dump->add_option("--module", options.places.modules,
             "NAME=DIR: a module and the folder that holds its Public/ and Private/. DIR alone: every module whose "
             "*.Build.cs lies in or below it. Repeatable.")
         ->take_all()
         ->type_name("NAME=DIR");
     dump->add_option("--project", options.places.projects,
-            "A project, or its folder: all modules of its Source/, and of all plugins below Plugins/ (also those it does "
+            "A project, or its folder: all modules of its Source/, and of all plugins below Plugins/ (also those it "
+            "does "
             "not enable) and its AdditionalPluginDirectories. Repeatable.")
         ->take_all()
         ->type_name("X.uproject");
-    dump->add_option("--plugin", options.places.plugins, "A plugin, or its folder: all modules of its Source/. Repeatable.")
+    dump->add_option(
+            "--plugin", options.places.plugins, "A plugin, or its folder: all modules of its Source/. Repeatable.")
         ->take_all()
         ->type_name("X.uplugin");
     dump->add_option("--engine", options.places.engine,
@@ -70,8 +74,9 @@ int main(int argc, char** argv) {
     }
     if (options.places.modules.empty() && options.places.projects.empty() && options.places.plugins.empty() &&
         options.places.engine.empty()) {
-        fmt::print(stderr, "spear-header-tool: nothing to read: give --module, --project, --plugin or --engine (dump --help "
-                           "has examples)\n");
+        fmt::print(stderr,
+            "spear-header-tool: nothing to read: give --module, --project, --plugin or --engine (dump --help "
+            "has examples)\n");
         return 2;
     }
     try {

@@ -63,7 +63,8 @@ void collect(const TypeSyntax& type, std::set<std::string>& names) {
 bool upper(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::string literal(long long value) {
-    return value == std::numeric_limits<long long>::min() ? "(-9223372036854775807ll - 1)" : std::to_string(value) + "ll";
+    return value == std::numeric_limits<long long>::min() ? "(-9223372036854775807ll - 1)"
+                                                          : std::to_string(value) + "ll";
 }
 
 // " : uint8 { A = 1, B }": a reflected enum with its values, so that `= EOther::A` and `X[EOther::Count]` can be
@@ -137,8 +138,9 @@ std::string delegate_macro(const Delegate& d) {
         heads += ", T" + n + ", P" + n;
         parameters += (i > 1 ? ", T" : "T") + n + " P" + n;
     }
-    return "#define " + d.macro + "(" + heads + ") struct Name { Name(); template <class... A> explicit Name(A&&...); " +
-           "static " + (returns ? "Result " : "void ") + std::string(delegate_function) + "(" + parameters + "); };\n";
+    return "#define " + d.macro + "(" + heads +
+           ") struct Name { Name(); template <class... A> explicit Name(A&&...); " + "static " +
+           (returns ? "Result " : "void ") + std::string(delegate_function) + "(" + parameters + "); };\n";
 }
 
 } // namespace

@@ -37,8 +37,8 @@ void Progress::draw(std::size_t done) {
     constexpr std::size_t width = 30;
     drawn_ = std::min<std::size_t>(100, done * 100 / total_);
     std::size_t filled = std::min(width, width * done / total_);
-    fmt::print(stderr, "\r{:<10} [{}{}] {}/{}", title_, std::string(filled, '#'), std::string(width - filled, '.'), done,
-        total_);
+    fmt::print(stderr, "\r{:<10} [{}{}] {}/{}", title_, std::string(filled, '#'), std::string(width - filled, '.'),
+        done, total_);
     std::fflush(stderr);
 }
 

@@ -28,7 +28,7 @@ public:
         : report_(report), skip_(skip), use_(use) {}
 
     void folder(const std::string& path, int depth) {
-        struct stat status {};
+        struct stat status{};
         if (stat(path.c_str(), &status) != 0 || !visited_.insert({status.st_dev, status.st_ino}).second)
             return; // a link to a folder that was seen already
         std::error_code error;
@@ -162,9 +162,10 @@ private:
         std::error_code error;
         if (is_folder(path))
             return true;
-        errors_.push_back(fs::exists(path, error)
-                              ? fmt::format("{} {}: '{}' is not a folder; give {}", option, argument, path, wanted)
-                              : fmt::format("{} {}: folder '{}' does not exist; give {}", option, argument, path, wanted));
+        errors_.push_back(
+            fs::exists(path, error)
+                ? fmt::format("{} {}: '{}' is not a folder; give {}", option, argument, path, wanted)
+                : fmt::format("{} {}: folder '{}' does not exist; give {}", option, argument, path, wanted));
         return false;
     }
 
@@ -184,10 +185,11 @@ private:
         if (files.size() == 1)
             return files.front();
         if (!fs::exists(argument, error))
-            errors_.push_back(fmt::format("{} {}: does not exist; give a *{} file or its folder", option, argument, extension));
+            errors_.push_back(
+                fmt::format("{} {}: does not exist; give a *{} file or its folder", option, argument, extension));
         else
-            errors_.push_back(fmt::format("{} {}: there are {} *{} files in this folder; name one", option, argument,
-                files.size(), extension));
+            errors_.push_back(fmt::format(
+                "{} {}: there are {} *{} files in this folder; name one", option, argument, files.size(), extension));
         return {};
     }
 
@@ -196,7 +198,8 @@ private:
             nlohmann::json json = nlohmann::json::parse(read_file(file), nullptr, true, true);
             if (json.is_object())
                 return json;
-            report_.warning("bad-descriptor", file, 1, fs::path(file).filename().string(), "is no JSON object; its folder is read all the same");
+            report_.warning("bad-descriptor", file, 1, fs::path(file).filename().string(),
+                "is no JSON object; its folder is read all the same");
         } catch (const std::exception& e) {
             report_.warning("bad-descriptor", file, 1, fs::path(file).filename().string(),
                 std::string("cannot be read as JSON (") + e.what() + "); its folder is read all the same");
@@ -208,7 +211,8 @@ private:
     std::size_t plugins_below(const std::string& root, bool written) {
         std::vector<std::string> folders;
         auto skip = [](const std::string& name) {
-            return ignored_folder(name) || name == "Content" || name == "Source" || name == "Resources" || name == "Config";
+            return ignored_folder(name) || name == "Content" || name == "Source" || name == "Resources" ||
+                   name == "Config";
         };
         walk(root, report_, skip, [&](const std::string& path, const std::string& name) {
             if (name.ends_with(".uplugin"))
@@ -246,9 +250,10 @@ private:
                         "the project lists this module, but there is no " + module["Name"].get<std::string>() +
                             ".Build.cs below Source/");
         if (count == 0)
-            errors_.push_back(fmt::format("--project {}: no *.Build.cs was found below {}/Source or {}/Plugins: a project "
-                                          "without C++ has nothing to read",
-                argument, root, root));
+            errors_.push_back(
+                fmt::format("--project {}: no *.Build.cs was found below {}/Source or {}/Plugins: a project "
+                            "without C++ has nothing to read",
+                    argument, root, root));
     }
 
     void plugin(const std::string& argument) {
@@ -259,9 +264,10 @@ private:
         std::string root = fs::path(file).has_parent_path() ? fs::path(file).parent_path().string() : ".";
         std::size_t count = is_folder(root + "/Source") ? below(root + "/Source", true) : 0;
         if (count == 0)
-            errors_.push_back(fmt::format("--plugin {}: no *.Build.cs was found below {}/Source: a plugin without C++ has "
-                                          "nothing to read",
-                argument, root));
+            errors_.push_back(
+                fmt::format("--plugin {}: no *.Build.cs was found below {}/Source: a plugin without C++ has "
+                            "nothing to read",
+                    argument, root));
     }
 
     void engine(const std::string& argument, bool written) {
@@ -277,9 +283,10 @@ private:
         if (is_folder(root + "/Plugins"))
             count += plugins_below(root + "/Plugins", written);
         if (count == 0)
-            errors_.push_back(fmt::format("--engine {}: no *.Build.cs was found below {}/Source/Runtime or {}/Plugins; give "
-                                          "the folder that holds Engine/ (or Engine/ itself)",
-                argument, root, root));
+            errors_.push_back(
+                fmt::format("--engine {}: no *.Build.cs was found below {}/Source/Runtime or {}/Plugins; give "
+                            "the folder that holds Engine/ (or Engine/ itself)",
+                    argument, root, root));
     }
 
     Report& report_;

@@ -108,8 +108,7 @@ void Registry::import_schema(const json& schema, const std::string& file) {
     }
 }
 
-void Registry::add(
-    const HeaderFacts& facts, const std::string& module, const std::string& path, Report& report) {
+void Registry::add(const HeaderFacts& facts, const std::string& module, const std::string& path, Report& report) {
     auto insert = [&](TypeInfo info, unsigned line) {
         info.module = module;
         info.path = path;
@@ -362,8 +361,8 @@ void Registry::finish_class(TypeInfo& info, std::set<std::string>& open, Report&
         info.within = super ? super->within : "UObject";
     info.config = !c.config.empty() ? c.config : super ? super->config : "";
     info.hide_categories = merge_words(super ? super->hide_categories : "", c.hide_categories, c.show_categories);
-    info.auto_collapse_categories = merge_words(
-        super ? super->auto_collapse_categories : "", c.collapse_categories, c.dont_collapse_categories);
+    info.auto_collapse_categories =
+        merge_words(super ? super->auto_collapse_categories : "", c.collapse_categories, c.dont_collapse_categories);
 }
 
 void Registry::finish_structs() {

@@ -29,9 +29,9 @@ struct TypeInfo {
     std::string hide_categories, auto_collapse_categories; // effective, blank-separated
     bool interface = false;
     bool super_unresolved = false;
-    bool has_defaults = false;                             // structs
-    std::string form, cpp_type, underlying;                // enums
-    std::string written_underlying;                        // as the header has it, "" if it has none
+    bool has_defaults = false;                                            // structs
+    std::string form, cpp_type, underlying;                               // enums
+    std::string written_underlying;                                       // as the header has it, "" if it has none
     std::vector<std::pair<std::string, std::optional<long long>>> values; // entries by short name, in order
     // Declared by a header of this run: its path, and its facts; null and "" for imports.
     const RecordFacts* record = nullptr;

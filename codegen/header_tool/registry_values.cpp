@@ -136,8 +136,7 @@ void Registry::compute_enum(TypeInfo& info) {
                         if (auto it = types_.find(owner); it != types_.end() && it->second.form == "regular")
                             compute_enum(it->second);
             }
-            next = header_tool::evaluate(
-                text, [&](const std::string& name) { return name_value(name, info.name, 0); });
+            next = header_tool::evaluate(text, [&](const std::string& name) { return name_value(name, info.name, 0); });
         }
         info.values[i].second = next;
         if (next)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What was skipped, assumed or wrong. A silent skip is a bug: whoever drops or doubts a declaration says so here.
 //
-// Rules (stable words): arbitrary-condition, array-dimension, assumed-type, ast-diagnostic, ast-missing, bad-descriptor,
-// config-without-class-config, const-property, container-allocator, default-argument, delegate-parameter-count, duplicate-module,
-// duplicate-name, enum-underlying, enum-value, function-name, generated-include-last, inactive-region,
-// interface-property, macro-blanked, missing-accessor, missing-body, missing-generated-body, missing-module,
-// missing-rep-notify, namespaced-type, nested-container, nested-type,
+// Rules (stable words): arbitrary-condition, array-dimension, assumed-type, ast-diagnostic, ast-missing,
+// bad-descriptor, config-without-class-config, const-property, container-allocator, default-argument,
+// delegate-parameter-count, duplicate-module, duplicate-name, enum-underlying, enum-value, function-name,
+// generated-include-last, inactive-region, interface-property, macro-blanked, missing-accessor, missing-body,
+// missing-generated-body, missing-module, missing-rep-notify, namespaced-type, nested-container, nested-type,
 // no-generated-include, not-text, orphan-macro, overloaded-function, prefix, private-blueprint-property,
-// property-semicolon, raw-enum-member, static-property, template-type, too-deep, too-large, type-differs, unknown-specifier,
-// unnamed-parameter, unparsed-declaration, unreadable, unresolved-super, unresolved-type, unsupported-blueprint-type,
-// unsupported-type.
+// property-semicolon, raw-enum-member, static-property, template-type, too-deep, too-large, type-differs,
+// unknown-specifier, unnamed-parameter, unparsed-declaration, unreadable, unresolved-super, unresolved-type,
+// unsupported-blueprint-type, unsupported-type.
 #pragma once
 
 #include <cstddef>

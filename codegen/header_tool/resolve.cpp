@@ -15,13 +15,13 @@ struct Simple {
     std::string_view written, kind, cpp;
 };
 
-constexpr std::array<Simple, 18> simple_types{
-    {{"bool", "bool", "bool"}, {"int8", "int8", "int8"}, {"int16", "int16", "int16"}, {"int32", "int32", "int32"},
-        {"int64", "int64", "int64"}, {"uint8", "uint8", "uint8"}, {"uint16", "uint16", "uint16"},
-        {"uint32", "uint32", "uint32"}, {"uint64", "uint64", "uint64"}, {"float", "float", "float"},
-        {"double", "double", "double"}, {"FString", "string", "FString"}, {"FName", "name", "FName"},
-        {"FText", "text", "FText"}, {"FUtf8String", "utf8_string", "FUtf8String"},
-        {"FAnsiString", "ansi_string", "FAnsiString"}, {"FReal", "double", "double"}, {"FVector::FReal", "double", "double"}}};
+constexpr std::array<Simple, 18> simple_types{{{"bool", "bool", "bool"}, {"int8", "int8", "int8"},
+    {"int16", "int16", "int16"}, {"int32", "int32", "int32"}, {"int64", "int64", "int64"}, {"uint8", "uint8", "uint8"},
+    {"uint16", "uint16", "uint16"}, {"uint32", "uint32", "uint32"}, {"uint64", "uint64", "uint64"},
+    {"float", "float", "float"}, {"double", "double", "double"}, {"FString", "string", "FString"},
+    {"FName", "name", "FName"}, {"FText", "text", "FText"}, {"FUtf8String", "utf8_string", "FUtf8String"},
+    {"FAnsiString", "ansi_string", "FAnsiString"}, {"FReal", "double", "double"},
+    {"FVector::FReal", "double", "double"}}};
 
 // Engine enums that are regular or namespaced and so are reflected as bytes; used only when no schema of the engine is
 // given.

@@ -27,8 +27,8 @@ namespace spear::header_tool {
 namespace {
 
 constexpr std::size_t largest_header = 16u << 20;
-// Headers that are read keep their text and tokens until they are checked; beyond this many bytes of text in all they are
-// let go and read once more.
+// Headers that are read keep their text and tokens until they are checked; beyond this many bytes of text in all they
+// are let go and read once more.
 constexpr std::size_t most_kept_text = 96u << 20;
 constexpr std::size_t most_shown_warnings = 20;
 
@@ -68,7 +68,8 @@ public:
         FoundModules found = find_modules(options_.places, report_);
         for (const std::string& error : found.errors)
             fmt::print(stderr, "spear-header-tool: {}\n", error);
-        bool any = std::any_of(found.modules.begin(), found.modules.end(), [](const ModuleInfo& m) { return m.written; });
+        bool any =
+            std::any_of(found.modules.begin(), found.modules.end(), [](const ModuleInfo& m) { return m.written; });
         if (!any)
             return 2;
         prepare_keys();
@@ -78,8 +79,9 @@ public:
         check();
         cache_.evict();
         if (std::string trouble = cache_.trouble(); !trouble.empty() && !options_.quiet)
-            fmt::print(stderr, "spear-header-tool: no cache: {}; everything is read anew each time (--cache DIR names "
-                               "another folder)\n",
+            fmt::print(stderr,
+                "spear-header-tool: no cache: {}; everything is read anew each time (--cache DIR names "
+                "another folder)\n",
                 trouble);
         int code = write(found.modules);
         if (!options_.quiet)
@@ -259,14 +261,15 @@ private:
             return {};
         SourceText source(SourceText::to_utf8(std::move(*bytes)));
         std::vector<ConstantFacts> out = find_constants(lex(source, {}));
-        std::erase_if(out, [&](const ConstantFacts& c) { return !wanted.contains(c.name.substr(c.name.rfind(':') + 1)); });
+        std::erase_if(
+            out, [&](const ConstantFacts& c) { return !wanted.contains(c.name.substr(c.name.rfind(':') + 1)); });
         return out;
     }
 
     bool still_holds(const CacheEntry& entry) const {
-        return entry.has_result && std::all_of(entry.questions.begin(), entry.questions.end(), [&](const auto& question) {
-            return registry_.fact(question.first) == question.second;
-        });
+        return entry.has_result &&
+               std::all_of(entry.questions.begin(), entry.questions.end(),
+                   [&](const auto& question) { return registry_.fact(question.first) == question.second; });
     }
 
     void check() {
@@ -337,8 +340,8 @@ private:
             if (!work.entry.facts.reflected)
                 continue;
             const HeaderFacts& facts = work.entry.facts;
-            headers.push_back({work.header->module, work.header->relative, work.header->include, facts.generated,
-                facts.type_names});
+            headers.push_back(
+                {work.header->module, work.header->relative, work.header->include, facts.generated, facts.type_names});
             for (const Fragment& fragment : work.entry.fragments)
                 fragments.push_back(&fragment);
             total_.declarations += work.entry.statistics.declarations;
@@ -382,8 +385,9 @@ private:
         std::string doubts;
         for (const auto& [rule, count] : rules)
             doubts += fmt::format("{}{} {}", doubts.empty() ? "" : ", ", count, rule);
-        fmt::print(stderr, "{} of {} headers hold reflection{}; {} of {} written types confirmed by libclang; {:.2f} s\n",
-            headers_, works_.size(), reused_ > 0 ? fmt::format(" ({} unchanged, from the cache)", reused_.load()) : "",
+        fmt::print(stderr,
+            "{} of {} headers hold reflection{}; {} of {} written types confirmed by libclang; {:.2f} s\n", headers_,
+            works_.size(), reused_ > 0 ? fmt::format(" ({} unchanged, from the cache)", reused_.load()) : "",
             total_.confirmed, total_.declarations, seconds);
         fmt::print(stderr, "report: {}\n", doubts.empty() ? "nothing skipped or doubtful" : doubts);
     }

@@ -27,7 +27,8 @@ bool has_nested_container(const TypeNode& node) {
 // An allocator that UHT does not take, as written; "" if there is none.
 std::string foreign_allocator(const TypeSyntax& type) {
     std::size_t place = type.name == "TMap" ? 2 : type.name == "TArray" || type.name == "TSet" ? 1 : type.args.size();
-    if (place >= type.args.size() || type.args[place].name.find("MemoryImage") != std::string::npos)
+    if (place >= type.args.size() || type.args[place].name == "FDefaultAllocator" ||
+        type.args[place].name.find("MemoryImage") != std::string::npos)
         return {};
     return type.args[place].text();
 }

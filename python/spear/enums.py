@@ -11,7 +11,6 @@ An enum that is imported while nobody knows it (no stubs, no connection) gets it
 from __future__ import annotations
 
 import enum
-import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -232,6 +231,8 @@ def _announced(name: str, path: str, flags: bool, entries: Sequence[tuple[str, i
         if int(member) != number:
             other.append(f"{entry} is {number} there, {int(member)} here")
     if other:
+        import warnings
+
         warnings.warn(
             f"the engine numbers the entries of {name} in another way than the stubs ({'; '.join(other[:3])}). Names are what counts, but write "
             "the stubs of this engine: spear schema stubs", stacklevel=2,

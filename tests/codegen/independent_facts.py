@@ -84,6 +84,8 @@ def comment(raw: str, begin: int, entity: dict[str, Any]) -> Iterator[Fact]:
 def property_default(raw: str, plain: str, begin: int, entity: dict[str, Any]) -> Iterator[Fact]:
     """The initialiser between `=` (or the braces) and the semicolon, if the statement declares one variable."""
     depth = 0
+    while plain[begin : begin + 1] in (";", " ", "\t", "\n"):  # UPROPERTY(...); in front of its declaration
+        begin += 1
     for end in range(begin, len(plain)):
         c = plain[end]
         depth += c in "([{"

@@ -32,7 +32,7 @@ MISTAKES = {
     "type": ('"cpp": "FVector"', '"cpp": "int32"', "type 0"),
     "lost property": ('"cpp_name": "Speed"', '"cpp_name": "Lost"', "property Speed is not in the schema"),
     "default": ('"default": "3.f"', '"default": "4.f"', "default: text '3.f'"),
-    "argument": ('"default": "7",\n            "specifiers"', '"default": "8",\n            "specifiers"', "default of Count"),
+    "argument": ('"default": "7"', '"default": "8"', "default of Count"),
     "value": ('"value": 5', '"value": 6', "value of Fast"),
     "metadata": ('"ClampMin": "0.5"', '"ClampMin": "0"', "meta ClampMin"),
     "comment": ('"comment": "/** Speed in cm/s. */"', '"comment": "/** Speed. */"', "comment: text"),
@@ -71,7 +71,7 @@ code = subprocess.run([{str(build_directory / "bin" / "spear-header-tool")!r}, *
 output = Path(sys.argv[sys.argv.index("-o") + 1])
 text = output.read_text()
 assert {before!r} in text, text
-output.write_text(text.replace({before!r}, {after!r}, 1))
+output.write_text(text.replace({before!r}, {after!r}))
 sys.exit(code)
 """)
     tool.chmod(0o755)

@@ -20,7 +20,9 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from pathlib import Path
 
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Werror"]
@@ -49,6 +51,18 @@ def run(command: list[str], text: str) -> tuple[bool, str]:
     return done.returncode == 0, done.stdout + done.stderr
 
 
+@contextmanager
+def precompiled(base: list[str]) -> Iterator[list[str]]:
+    """The command that checks a text, with what every generated header includes first compiled beforehand."""
+    with tempfile.TemporaryDirectory(prefix="spear-proxies-") as folder:
+        common = Path(folder) / "common.hpp"
+        common.write_text("#include <spear/proxy.hpp>\n")
+        is_clang = "clang" in subprocess.run([base[0], "--version"], capture_output=True, text=True).stdout
+        compiled = Path(f"{common}.{'pch' if is_clang else 'gch'}")
+        subprocess.run([*base, "-x", "c++-header", str(common), "-o", str(compiled)], check=True)
+        yield [*base, "-fsyntax-only", *(["-include-pch", str(compiled)] if is_clang else ["-include", str(common)])]
+
+
 def alone(base: list[str], options: argparse.Namespace) -> int:
     headers = sorted({path.resolve() for folder in options.paths for path in folder.rglob("*.hpp")})
     if options.limit and len(headers) > options.limit:
@@ -57,14 +71,7 @@ def alone(base: list[str], options: argparse.Namespace) -> int:
         print(f"there is no header below {' '.join(map(str, options.paths))}", file=sys.stderr)
         return 1
     started = time.monotonic()
-    with tempfile.TemporaryDirectory(prefix="spear-proxies-") as folder:
-        # What every header includes first, compiled once.
-        common = Path(folder) / "common.hpp"
-        common.write_text("#include <spear/proxy.hpp>\n")
-        suffix = "pch" if "clang" in Path(base[0]).name else "gch"
-        compiled = Path(f"{common}.{suffix}")
-        subprocess.run([*base, "-x", "c++-header", str(common), "-o", str(compiled)], check=True)
-        command = [*base, "-fsyntax-only", *(["-include-pch", str(compiled)] if suffix == "pch" else ["-include", str(common)])]
+    with precompiled(base) as command:
         # Once each, then once more: a header that another header includes again does no harm.
         texts = [f'#include "{header}"\n#include "{header}"\n' for header in headers]
         with ThreadPoolExecutor(options.jobs) as pool:
@@ -80,23 +87,23 @@ def refuse(base: list[str], options: argparse.Namespace) -> int:
     programs = sorted(path for folder in options.paths for path in folder.rglob("*.cpp"))
     problems: list[str] = []
 
-    def check(program: Path) -> None:
+    def check(program: Path, command: list[str]) -> None:
         lines = program.read_text().splitlines()
         expected = re.fullmatch(r"// refused: (.+)", lines[1])
         if not expected:
             problems.append(f"{program}: the second line must say `// refused: TEXT`")
             return
-        good, said = run([*base, "-fsyntax-only"], program.read_text())
+        good, said = run(command, program.read_text())
         if not good:
             problems.append(f"{program} must compile as it stands, but:\n{said[:3000]}")
-        good, said = run([*base, "-fsyntax-only", "-DREFUSED"], program.read_text())
+        good, said = run([*command, "-DREFUSED"], program.read_text())
         if good:
             problems.append(f"{program} must not compile with -DREFUSED, but does")
         elif not re.search(expected[1], said):
             problems.append(f"{program} is refused, but not with {expected[1]!r}:\n{said[:3000]}")
 
-    with ThreadPoolExecutor(options.jobs) as pool:
-        list(pool.map(check, programs))
+    with precompiled(base) as command, ThreadPoolExecutor(options.jobs) as pool:
+        list(pool.map(lambda program: check(program, command), programs))
     for problem in problems:
         print(problem, file=sys.stderr)
     print(f"{len(programs)} programs with {base[0]}, {len(problems)} problems")

@@ -216,7 +216,7 @@ def test_a_null_variable_raises_and_get_or_none_does_not(things: spear.UnrealObj
 def never_null(monkeypatch: pytest.MonkeyPatch):
     """Facts that EchoActor, the second actor of Pair, and elements of EchoObjectArray are never null."""
     told = {
-        "URoundTrip": {"super": "UObject", "never_null": ["EchoActor", "EchoObjectArray[]"]},
+        "URoundTrip": {"super": "UObject", "never_null": ["EchoActor", "EchoObjectArray[]", "CopyObjectArray.Result[]"]},
         "URoundTripCalls": {"super": "UObject", "never_null": ["Pair.OutSecond"]},
     }
     monkeypatch.setattr(nulls.facts, "class_facts", lambda name: told.get(name))
@@ -241,6 +241,9 @@ def test_null_results_of_functions_that_never_return_null(in_block: spear.Game, 
     assert things.EchoObjectArray([actor]) == [actor]
     with pytest.raises(spear.NullObject, match="container"):
         things.EchoObjectArray([actor, None])
+    with pytest.raises(spear.NullObject, match="as Result in the container"):
+        things.CopyObjectArray([None])
+    assert things.CopyObjectArray([actor]).Result == [actor] and things.call("CopyObjectArray", [None]) == ([None],)
     # Of an object that is a future itself.
     things.ObjectValue = things
     deferred = things.async_.ObjectValue.get().object.async_.EchoActor(None)

@@ -32,7 +32,8 @@ class SchemaMaker:
     def __init__(self) -> None:
         self.document: Entity = {"format": "spear-schema", "version": 1, "origin": "offline", "modules": [], "classes": [], "structs": [], "enums": [], "delegates": []}
 
-    def function(self, name: str, parameters: tuple[Entity, ...] = (), returns: Entity | None = None, comment: str = "", flags: tuple[str, ...] = ("Native", "Public"), line: int = 7, **meta: str) -> Entity:
+    def function(self, name: str, parameters: tuple[Entity, ...] = (), returns: Entity | None = None, comment: str = "",
+                 flags: tuple[str, ...] = ("Native", "Public"), line: int = 7, **meta: str) -> Entity:
         """A function."""
         result = None if returns is None else {"type": returns, "flags": ["OutParm", "Parm", "ReturnParm"], "editor": {"meta": {}}, "source": {}}
         return {"name": name, "flags": list(flags), "parameters": list(parameters), "returns": result, "editor": {"meta": {**_documented(comment)["meta"], **meta}},

@@ -78,6 +78,7 @@ def test_arrows_choose_and_escape_closes(page: Browser, engine_site: Path) -> No
 
 @pytest.mark.parametrize(("query", "expected"), [
     ("SetAcSc", "AActor.SetActorScale3D"), ("sas3d", "AActor.SetActorScale3D"), ("actor scale3d", "AActor.SetActorScale3D"), ("AActor.SetActorSc", "AActor.SetActorScale3D"),
+
     ("AActor::SetActorSc", "AActor.SetActorScale3D"), ("getactorlocation", "AActor.K2_GetActorLocation"), ("hidden", "AActor.bHidden"), ("actor", "AActor Engine"), ("FVector.x", "FVector.X"),
     ("collisionchannel", "ECollisionChannel Engine"), ("ECC_Pawn", "ECollisionChannel.ECC_Pawn"), ("Engine", "Engine"), ("find_class", "unreal_service.find_class"),
     ("SetActorScale3D(NewScale", "AActor.SetActorScale3D"),
@@ -208,7 +209,8 @@ def test_light_and_dark(page: Browser, engine_site: Path) -> None:
     page.run("localStorage.clear()")
 
 
-@pytest.mark.parametrize("name", ["index.html", "entry_points.html", "Engine/index.html", "Engine/AActor.html", "Engine/UKismetMathLibrary.html", "Engine/FHitResult.html", "Engine/ECollisionChannel.html"])
+@pytest.mark.parametrize("name", ["index.html", "entry_points.html", "Engine/index.html", "Engine/AActor.html",
+                                  "Engine/UKismetMathLibrary.html", "Engine/FHitResult.html", "Engine/ECollisionChannel.html"])
 def test_small_screens_need_no_sideways_scrolling(page: Browser, engine_site: Path, name: str) -> None:
     page.resize(390, 844, mobile=True)
     page.open(engine_site / name)

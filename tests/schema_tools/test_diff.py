@@ -145,3 +145,14 @@ def test_engine_against_itself_with_one_change(spear_schema: Command, engine_sch
     changed.write_text(json.dumps(document))
     assert "function AActor.K2_GetActorLocation is gone" in spear_schema("diff", engine_schemas[1], changed, "--tier", "source", code=1).stdout
     assert spear_schema("diff", engine_schemas[1], changed, "--tier", "source", code=1).stdout.count("\n") == 4
+
+
+def test_colours_on_a_terminal(dump: Dump) -> None:
+    from click.testing import CliRunner
+
+    from spear.cli.schema import schema
+
+    old, new = dump("old", in_class(FUNCTION + "void Go();")), dump("new", in_class(FUNCTION + "void Come();"))
+    result = CliRunner().invoke(schema, ["diff", str(old), str(new)], color=True)
+    assert result.exit_code == 1
+    assert "\x1b[31m    - \x1b[0m" in result.output and "\x1b[32m    + \x1b[0m" in result.output

@@ -155,7 +155,6 @@ def futures(actor: AStaticMeshActor) -> None:
     written = actor.async_.CustomTimeDilation.set(1.0)
     assert_type(written, Future[None])
     written.get()
-    actor.K2_AttachToComponent(Parent=root.get(), SocketName="None", LocationRule="KeepRelative", RotationRule="KeepRelative", ScaleRule="KeepRelative", bWeldSimulatedBodies=False)
     actor.send_.SetActorScale3D(FVector(1, 1, 1))
     actor.send_.bHidden = False
     actor.CustomTimeDilation.send_.set(1.0)
@@ -169,7 +168,10 @@ def lookups(game: spear.Game) -> AStaticMeshActor:
     same(game.find_actor_by_tag("sample", AStaticMeshActor), actor)
     assert_type(game.find_actors_by_class(APointLight), list[APointLight])
     assert_type(game.find_actors_by_name("Table*"), list[spear.UnrealObject])
-    assert_type(game.async_.find_actor_by_tag("sample", AActor), Future[AActor])
+    later = game.async_.find_actor_by_tag("sample", AStaticMeshActor)
+    assert_type(later, Future[AStaticMeshActor])
+    assert_type(later.object.async_.K2_GetActorLocation(), Future[FVector])  # calls on an object that is still to come: no round trip
+    same(later.object.async_.K2_GetActorLocation().get(), FVector(-10, 280, 50))
     assert_type(game.get_component_by_class(actor, UStaticMeshComponent), UStaticMeshComponent)
     assert_type(actor.get_component(UPrimitiveComponent), UPrimitiveComponent)
     cube = game.load_object("/Engine/BasicShapes/Cube.Cube", UStaticMesh)
@@ -194,6 +196,7 @@ def statics(game: spear.Game, actor: AActor) -> None:
     parts = math.BreakTransform(FTransform())
     assert_type(parts.Rotation, FRotator)
     found = game.get_class(UGameplayStatics).GetAllActorsOfClass(ActorClass=AStaticMeshActor)
+    assert_type(found.OutActors, list[AActor])
     same(actor in found.OutActors, True)
     assert_type(game.get_class(UKismetSystemLibrary).GetDisplayName(actor), str)
     assert_type(game.get_class(UKismetSystemLibrary).async_.Delay(Duration=0.01), Future[None])

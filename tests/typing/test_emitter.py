@@ -190,6 +190,7 @@ def test_null_is_told_by_evidence() -> None:
     assert described(function("GetThing", returns=ACTOR)).never_null == ("GetThing",)
     assert described(function("GetThings", returns=node("array", inner=ACTOR))).never_null == ("GetThings[]",)
     assert described(function("GetThing", parameter("Out", ACTOR, "OutParm"), returns=ACTOR)).never_null == ("GetThing.ReturnValue",)
+    assert described(function("GetThings", parameter("Out", node("array", inner=ACTOR), "OutParm"))).never_null == ("GetThings.Out[]",)
     (given,) = described(function("F", parameter("P", ACTOR), CPP_Default_P="None")).inputs
     assert given.nullable
 

@@ -15,13 +15,10 @@ from subject import Subject  # noqa: E402
 
 from spear.codegen.schema import SchemaSet  # noqa: E402
 
-ENGINE = ("CoreUObject", "Engine", "SpearServer")
-
 
 @pytest.fixture(scope="session")
-def environment(scale_schema: Path, build_directory: Path, tmp_path_factory: pytest.TempPathFactory) -> measure.Environment:
-    schemas = [build_directory / "codegen" / name / f"{name}.schema.json" for name in ENGINE]
-    return measure.Environment(tmp_path_factory.mktemp("typing_scale"), SchemaSet.load_all([*schemas, scale_schema]))
+def environment(scale_schema: Path, tmp_path_factory: pytest.TempPathFactory) -> measure.Environment:
+    return measure.Environment(tmp_path_factory.mktemp("typing_scale"), SchemaSet.load_all([*measure.engine_schemas(), scale_schema]))
 
 
 @pytest.fixture(scope="session")

@@ -7,7 +7,8 @@ The expected types are worked out here from the schema, on purpose not by the co
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from subject import Subject
 
@@ -62,7 +63,7 @@ class _Writer:
         self.names.setdefault(entity["module"], set()).add(entity["name"])
         return str(entity["name"])
 
-    def _type(self, node: Entity, array_dim: int = 1) -> str | None:
+    def _type(self, node: Mapping[str, Any], array_dim: int = 1) -> str | None:
         """What a value of a type reads as, for the kinds whose answer leaves no choice."""
         kind = node["kind"]
         if array_dim != 1:

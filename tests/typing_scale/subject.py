@@ -74,7 +74,8 @@ class Subject:
 
     def documented_properties(self, count: int) -> list[tuple[str, str]]:
         """Inherited properties with comments: name, first words."""
-        found = [(p["name"], _first_words(p)) for owner in self._owners(self.name) for p in owner["properties"] if _first_words(p) and python_name(p["name"]) == p["name"]]
+        properties = (p for owner in self._owners(self.name) for p in owner["properties"])
+        found = [(p["name"], _first_words(p)) for p in properties if _first_words(p) and python_name(p["name"]) == p["name"]]
         step = max(1, len(found) // count)
         return found[::step][:count]
 

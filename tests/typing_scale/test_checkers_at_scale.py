@@ -38,6 +38,10 @@ def test_checkers_do_find_errors(environment: measure.Environment, subject: Subj
     (folder / "sample.py").write_text(
         f"from spear.unreal.{subject.module} import {subject.name}\n\n\ndef use(thing: {subject.name}) -> None:\n"
         f"    thing.{function.name}(NoSuchParameter=1)\n    thing.NoSuchMember\n    if thing.{subject.documented_properties(1)[0][0]}.get() == 1:\n        int(thing)\n", encoding="utf-8")
-    for name, command in (("mypy", ["-m", "mypy", "--strict", "--python-executable", str(environment.python), "sample.py"]), ("pyright", ["-m", "pyright", "--pythonpath", str(environment.python), "sample.py"])):
+    commands = {
+        "mypy": ["-m", "mypy", "--strict", "--python-executable", str(environment.python), "sample.py"],
+        "pyright": ["-m", "pyright", "--pythonpath", str(environment.python), "sample.py"],
+    }
+    for name, command in commands.items():
         _, _, code, output = measure.run([sys.executable, *command], folder)
         assert code == 1 and "NoSuchParameter" in output and "NoSuchMember" in output, (name, output)

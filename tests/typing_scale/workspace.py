@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 import venv
 from pathlib import Path
 
@@ -23,8 +22,3 @@ def site_packages(python: Path) -> Path:
     """Where an interpreter's packages lie."""
     result = subprocess.run([str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"], capture_output=True, text=True, check=True)
     return Path(result.stdout.strip())
-
-
-def own_packages() -> Path:
-    """Where the packages of the running interpreter lie."""
-    return site_packages(Path(sys.executable))

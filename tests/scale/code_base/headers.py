@@ -184,14 +184,18 @@ class Writer:
         body = class_.old_body
         lines += [f"{indent}{'GENERATED_UCLASS_BODY' if body else 'GENERATED_BODY'}()", ""]
         name = class_.name
+        possible = class_.super_constructors
+        class_.constructors = {"default", "initializer"} if "initializer" in possible else {"default"}
         if body:
+            class_.constructors = {"initializer"}
             header.source.append(f"{name}::{name}(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer) {{}}")
         elif class_.kind != "library" and r.random() < 0.5:
-            if r.random() < 0.6:
+            if "default" in possible and (r.random() < 0.6 or "initializer" not in possible):
+                class_.constructors = {"default"}
                 lines += ["public:", f"{indent}{name}();", ""]
                 header.source.append(f"{name}::{name}() {{}}")
             else:
-                lines += ["public:", f"{indent}{name}(const FObjectInitializer& ObjectInitializer);", ""]
+                lines += ["public:", f"{indent}{name}(const FObjectInitializer& ObjectInitializer = FObjectInitializer::Get());", ""]
                 header.source.append(f"{name}::{name}(const FObjectInitializer& ObjectInitializer) : Super(ObjectInitializer) {{}}")
         if class_.kind == "actor" and r.random() < 0.3:
             lines += [*([] if lines[-2:-1] == ["public:"] else ["protected:"]), f"{indent}virtual void BeginPlay() override;", ""]

@@ -59,6 +59,15 @@ class ClassType:
     depth: int = 1
     old_body: bool = False
     interfaces: list[str] = field(default_factory=list)
+    #: which constructors a class derived from it may call
+    constructors: set[str] = field(default_factory=lambda: {"default", "initializer"})
+
+    @property
+    def super_constructors(self) -> set[str]:
+        """The same of its super class. Subsystems have no constructor with an FObjectInitializer."""
+        if self.parent:
+            return self.parent.constructors
+        return {"default"} if self.base.endswith("Subsystem") else {"default", "initializer"}
 
 
 @dataclass

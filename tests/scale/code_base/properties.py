@@ -156,16 +156,15 @@ class Properties:
         return meta
 
     def _accessors(self, owner: ClassType, header: Header, indent: str, use: Use, name: str, blueprint: bool) -> tuple[list[str], list[str]]:
-        owner.names |= {f"get{name.lower()}", f"set{name.lower()}"}
+        called = name[1:] if use.kind == "bool" and not blueprint else name  # Unreal drops the b there
+        owner.names |= {f"get{called.lower()}", f"set{called.lower()}"}
         # Accessors are functions: plain pointers, as Unreal's header tool wants them.
         plain = f"{use.of}*" if use.kind == "object" else use.text
         value = f"const {plain}&" if use.large else plain
-        lines = []
-        if blueprint:
-            lines = [f"{indent}UFUNCTION(BlueprintGetter)", f"{indent}{plain} Get{name}() const;", f"{indent}UFUNCTION(BlueprintSetter)", f"{indent}void Set{name}({value} New{name});", ""]
-        else:
-            lines = [f"{indent}{plain} Get{name}() const;", f"{indent}void Set{name}({value} New{name});", ""]
-        source = [f"{plain} {owner.name}::Get{name}() const {{ return {name}; }}", f"void {owner.name}::Set{name}({value} New{name}) {{ {name} = New{name}; }}"]
+        marks = [f"{indent}UFUNCTION(BlueprintGetter)", f"{indent}UFUNCTION(BlueprintSetter)"] if blueprint else [None, None]
+        declared = [f"{indent}{plain} Get{called}() const;", f"{indent}void Set{called}({value} New{name});"]
+        lines = [line for pair in zip(marks, declared, strict=True) for line in pair if line] + [""]
+        source = [f"{plain} {owner.name}::Get{called}() const {{ return {name}; }}", f"void {owner.name}::Set{called}({value} New{name}) {{ {name} = New{name}; }}"]
         return lines, source
 
     def _delegate(self, owner: ClassType, header: Header) -> DelegateType | None:

@@ -108,10 +108,10 @@ def _class(r: random.Random, modules: list[Module], header: Header, chain: Class
         if found.base in ENGINE_INCLUDES:
             header.includes.add(ENGINE_INCLUDES[found.base])
     found.names.add(header.stem.lower())
-    found.old_body = header.style.old_bodies and kind != "library"
+    found.old_body = header.style.old_bodies and kind != "library" and "initializer" in found.super_constructors
     if kind in ("actor", "component", "object") and r.random() < 0.15:
         interface = visible(r, modules, header.module, "interfaces")
-        inherited = [c for c in _ancestors(found)]
+        inherited = _ancestors(found)
         if isinstance(interface, ClassType) and not any("I" + interface.name[1:] in c.interfaces for c in inherited) and not (interface.names & found.names):
             found.interfaces.append("I" + interface.name[1:])
             found.names |= interface.names
@@ -162,7 +162,7 @@ def _module_files(target: Path, module: Module, modules: list[Module], compilabl
 
 def _cmake(modules: list[Module]) -> str:
     lines = ["# Registers the synthetic code base in the embedded engine: add_subdirectory(DIR ${CMAKE_BINARY_DIR}/big_base) from the engine's own build,",
-             "# or put it there by -DSPEAR_EXTRA_DIRECTORIES. Load it with --plugin-dir <build>/big_base_plugins."]
+             "# behind the engine's modules. Load it with --plugin-dir <build>/big_base_plugins."]
     for module in modules:
         dependencies = " ".join(["Core", "CoreUObject", "Engine", *(m.name for m in modules[: modules.index(module)])])
         lines += [f'spear_unreal_module(NAME {module.name} DIRECTORY "${{CMAKE_CURRENT_SOURCE_DIR}}/Source/{module.name}" DEPENDS {dependencies})',

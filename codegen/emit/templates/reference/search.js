@@ -155,7 +155,9 @@ const spearSearch = (() => {
     const start = starts[entry], end = starts[entry + 1] - 1;
     const prefix = prefixLength(entry, start);
     let best = 0;
-    for (let at = lower.indexOf(word, start); at >= 0 && at + word.length <= end; at = lower.indexOf(word, at + 1)) {
+    const name = lower.slice(start, end); // not lower itself: a search in it would run on into all other names
+    for (let place = name.indexOf(word); place >= 0; place = name.indexOf(word, place + 1)) {
+      const at = start + place;
       let score;
       if (at === start) score = word.length === end - start ? 1000 : 800;
       else if (at === start + prefix) score = word.length === end - at ? 960 : 780;
@@ -218,17 +220,16 @@ const spearSearch = (() => {
     return wanted;
   }
 
+  // Where in a name the word is, as places of its characters: what is to be marked.
   function places(entry, word) {
-    const start = starts[entry], end = starts[entry + 1] - 1;
+    const start = starts[entry], name = lower.slice(start, starts[entry + 1] - 1);
     const result = [];
-    let at = -1, any = -1;
-    for (let p = lower.indexOf(word, start); p >= 0 && p + word.length <= end; p = lower.indexOf(word, p + 1)) {
-      if (any < 0) any = p;
-      if (isHump(p, start)) { at = p; break; }
-    }
+    const any = name.indexOf(word);
+    if (any < 0) { scoreHumps(entry, word, result); return result; }
+    let at = any;
+    while (at >= 0 && !isHump(start + at, start)) at = name.indexOf(word, at + 1);
     if (at < 0) at = any;
-    if (at >= 0) { for (let i = 0; i < word.length; i++) result.push(at + i - start); return result; }
-    scoreHumps(entry, word, result);
+    for (let i = 0; i < word.length; i++) result.push(at + i);
     return result;
   }
 

@@ -68,7 +68,7 @@ class AActor_GetActorEyesViewPoint_Result(NamedTuple):
 
 class AActor_GetAttachedActors_Result(NamedTuple):
     """Results of AActor.GetAttachedActors."""
-    OutActors: list[AActor | None]
+    OutActors: list[AActor]
     """receives them."""
 
 class AActor_K2_AddActorLocalOffset_Result(NamedTuple):

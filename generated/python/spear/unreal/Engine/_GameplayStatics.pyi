@@ -34,19 +34,19 @@ class UGameplayStatics_GetActorArrayBounds_Result(NamedTuple):
 
 class UGameplayStatics_GetAllActorsOfClass_Result(NamedTuple):
     """Results of UGameplayStatics.GetAllActorsOfClass."""
-    OutActors: list[AActor | None]
+    OutActors: list[AActor]
 
 class UGameplayStatics_GetAllActorsOfClassWithTag_Result(NamedTuple):
     """Results of UGameplayStatics.GetAllActorsOfClassWithTag."""
-    OutActors: list[AActor | None]
+    OutActors: list[AActor]
 
 class UGameplayStatics_GetAllActorsWithInterface_Result(NamedTuple):
     """Results of UGameplayStatics.GetAllActorsWithInterface."""
-    OutActors: list[AActor | None]
+    OutActors: list[AActor]
 
 class UGameplayStatics_GetAllActorsWithTag_Result(NamedTuple):
     """Results of UGameplayStatics.GetAllActorsWithTag."""
-    OutActors: list[AActor | None]
+    OutActors: list[AActor]
 
 class UGameplayStatics_GetKeyValue_Result(NamedTuple):
     """Results of UGameplayStatics.GetKeyValue."""

@@ -50,7 +50,7 @@ class UKismetSystemLibrary_BreakSoftObjectPath_Result(NamedTuple):
 
 class UKismetSystemLibrary_GetActorListFromComponentList_Result(NamedTuple):
     """Results of UKismetSystemLibrary.GetActorListFromComponentList."""
-    OutActorList: list[AActor | None]
+    OutActorList: list[AActor]
 
 class UKismetSystemLibrary_GetComponentBounds_Result(NamedTuple):
     """Results of UKismetSystemLibrary.GetComponentBounds."""

@@ -32,11 +32,11 @@ ERelativeTransformSpace_in: TypeAlias = ERelativeTransformSpace | str | Future[E
 
 class USceneComponent_GetChildrenComponents_Result(NamedTuple):
     """Results of USceneComponent.GetChildrenComponents."""
-    Children: list[USceneComponent | None]
+    Children: list[USceneComponent]
 
 class USceneComponent_GetParentComponents_Result(NamedTuple):
     """Results of USceneComponent.GetParentComponents."""
-    Parents: list[USceneComponent | None]
+    Parents: list[USceneComponent]
 
 class USceneComponent_K2_AddLocalOffset_Result(NamedTuple):
     """Results of USceneComponent.K2_AddLocalOffset."""
