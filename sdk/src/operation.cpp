@@ -48,8 +48,11 @@ bool OperationHandle::is_ready() const noexcept {
         return false;
     if (state_->is_done())
         return true;
-    if (state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late) {
+    const auto stage = state_->stage.load(std::memory_order_relaxed);
+    if (stage == OperationState::Stage::late ||
+        (stage == OperationState::Stage::sent && session_->impl_->has_channel)) {
         const std::lock_guard lock(session_->impl_->mutex);
+        session_->impl_->take_answers();
         if (state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late &&
             !session_->impl_->is_held_by_this_thread()) {
             session_->impl_->ask_for_late(state_);

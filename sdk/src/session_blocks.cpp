@@ -149,9 +149,47 @@ Session::Status Session::Impl::status(Lock& lock, Milliseconds timeout) {
         static_cast<Status::State>(wire.state), wire.frame, Milliseconds(wire.frames_age_ms), wire.holder, wire.detail};
 }
 
+void Session::Impl::wait_for_change(Lock& lock, Clock::time_point until) {
+    write_log(lock);
+    if (!has_channel || !client || lost || has_leader) {
+        ++followers;
+        changed.wait_until(lock, until);
+        --followers;
+        return;
+    }
+    using namespace std::chrono;
+    const auto left = duration_cast<microseconds>(until - Clock::now()).count();
+    const auto timeout = static_cast<std::uint32_t>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+    const std::uint32_t wakes = spear_client_wakes(client);
+    has_leader = true;
+    ++calls_outside;
+    lock.unlock();
+    spear_client_wait(client, wakes, timeout);
+    lock.lock();
+    has_leader = false;
+    --calls_outside;
+    take_answers();
+    if (followers != 0 || is_closed) {
+        changed.notify_all(); // somebody else leads now, or close() goes on
+    }
+}
+
+/// Waits until `done`, which is asked under the mutex. False at the deadline.
+template <typename F>
+bool Session::Impl::wait_until(Lock& lock, Clock::time_point until, F&& done) {
+    take_answers();
+    while (!done()) {
+        if (Clock::now() >= until) {
+            return false;
+        }
+        wait_for_change(lock, until);
+    }
+    return true;
+}
+
 void Session::Impl::wait_for_request(Lock& lock, std::uint64_t request, std::string_view what) {
     const Milliseconds limit = deadline();
-    if (!changed.wait_until(lock, Clock::now() + limit, [&] { return lost || !in_flight.contains(request); })) {
+    if (!wait_until(lock, Clock::now() + limit, [&] { return lost || !in_flight.contains(request); })) {
         throw_deadline(lock, limit, what);
     }
     require_open(lock, what);
@@ -204,9 +242,10 @@ bool Session::Impl::wait_until_done(Lock& lock, const std::shared_ptr<OperationS
                 wake = std::min(until, state->ask_again_after);
             }
         }
-        const bool timed_out = changed.wait_until(lock, wake) == std::cv_status::timeout;
-        if (timed_out && Clock::now() >= until && !state->is_done()) {
-            return false;
+        wait_for_change(lock, wake);
+        if (!state->is_done() && Clock::now() >= until) {
+            take_answers();
+            return state->is_done();
         }
     }
     return true;
@@ -266,6 +305,7 @@ void Session::Impl::require_order(BlockKind kind) const {
 
 void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     const std::uint64_t request = last_request[static_cast<std::size_t>(kind)];
+    take_answers();
     if (request != 0 && in_flight.contains(request)) {
         wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
     }
@@ -311,6 +351,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
             fmt::format("execute() was called on the {} block of another thread.", block_name(kind)),
             std::string(block_name(kind)));
     }
+    take_answers();
     const bool waits = holds_game_thread && block.fire_and_forget != 0;
     const bool is_begin = kind == BlockKind::begin;
     phase = is_begin ? Phase::between : Phase::idle;
@@ -378,7 +419,7 @@ void Session::Impl::flush() {
     };
     const std::uint64_t last = next_request;
     const Milliseconds limit = deadline();
-    const bool done = changed.wait_until(lock, Clock::now() + limit,
+    const bool done = wait_until(lock, Clock::now() + limit,
         [&] { return lost || !std::any_of(in_flight.begin(), in_flight.lower_bound(last), is_part); });
     if (!done) {
         throw_deadline(lock, limit, "flush");

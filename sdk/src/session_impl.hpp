@@ -96,6 +96,7 @@ struct Session::Impl {
     // Constant after connect.
     std::string address;
     std::uint64_t session_id = 0;
+    bool has_channel = false;
     std::atomic<Milliseconds::rep> deadline_ms{limits::default_deadline_ms};
 
     mutable std::mutex mutex;
@@ -105,6 +106,12 @@ struct Session::Impl {
     bool is_closed = false;
     int calls_outside = 0; // of spear_client_status, without the mutex
     LossExplainer loss_explainer;
+
+    // With a channel, answers are taken under the mutex; one of the waiting threads, the leader, waits for them at the
+    // channel (without the mutex), the others at `changed`.
+    bool has_leader = false;
+    int followers = 0;
+    std::vector<std::string> log; // failures to be logged, without the mutex
 
     TypeAnnouncer announcer{types::first_client_type};
     TypeTable server_types{types::first_server_type}; // I/O thread adds under the mutex; read without it
@@ -135,16 +142,19 @@ struct Session::Impl {
         return is_owner() && (holds_game_thread || phase == Phase::between || holds_single_step);
     }
 
-    // session_answers.cpp: the I/O thread
+    // session_answers.cpp. The first three are the I/O thread's; the others want the mutex.
     static void on_answers(void* user, std::uint64_t request, const spear_answers* answers);
     static void on_lost(void* user, const spear_wire_error* error);
+    static void on_attend(void* user);
+    void take_answers();
+    void write_log(Lock& lock);
     void receive(std::uint64_t request, const spear_answers& answers);
     void finish_batch(OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message,
-        std::uint64_t frame, std::vector<std::string>& log);
-    void finish_failed_batch(OperationBatch& batch, ErrorInfo error, std::vector<std::string>& log);
+        std::uint64_t frame);
+    void finish_failed_batch(OperationBatch& batch, ErrorInfo error);
     void finish(OperationBatch& batch, const std::shared_ptr<OperationState>& state, RawResult result,
-        std::shared_ptr<const ErrorInfo> error, bool is_late, std::vector<std::string>& log);
-    void report_failure(OperationBatch& batch, Failure failure, std::vector<std::string>& log);
+        std::shared_ptr<const ErrorInfo> error, bool is_late);
+    void report_failure(OperationBatch& batch, Failure failure);
     void lose(ErrorInfo error);
     void drop_user(const std::shared_ptr<OperationState>& state);
 
@@ -154,6 +164,10 @@ struct Session::Impl {
     void require_open(Lock& lock, std::string_view what) const;
     [[noreturn]] void throw_lost(Lock& lock, std::string_view what) const;
     [[noreturn]] void throw_deadline(Lock& lock, Milliseconds waited, std::string_view what);
+    /// Waits for something to change, at most until then. May return for no reason.
+    void wait_for_change(Lock& lock, Clock::time_point until);
+    template <typename F>
+    bool wait_until(Lock& lock, Clock::time_point until, F&& done);
     void wait_for_request(Lock& lock, std::uint64_t request, std::string_view what);
     void wait_for_kind(Lock& lock, BlockKind kind);
     bool wait_until_done(Lock& lock, const std::shared_ptr<OperationState>& state, Clock::time_point until);

@@ -11,6 +11,8 @@
 #include "Misc/CoreDelegates.h"
 #include "UObject/UObjectGlobals.h"
 
+#include "spear/limits.hpp"
+
 #include <algorithm>
 
 namespace SpearServer {
@@ -44,6 +46,7 @@ void FFrameRunner::OnBeginFrame() {
         return;
     }
     Inbox.NoteFrame(GFrameCounter);
+    spear_server_poll(Server);
     UpdateEngineFacts();
     InFrame.clear();
     RunFreeBatches();
@@ -69,6 +72,7 @@ void FFrameRunner::OnBeginFrame() {
             Holders.clear();
         }
     }
+    spear_server_release(Server);
     Inbox.SetHolder(0, "");
 }
 
@@ -76,11 +80,13 @@ void FFrameRunner::OnEndFrame() {
     if (bRunning) {
         return;
     }
+    spear_server_poll(Server);
     for (const uint64 Session : InFrame) {
         RunBlock(Session, EBlock::End);
         EndTransaction(Session);
     }
     InFrame.clear();
+    spear_server_release(Server);
     Inbox.SetHolder(0, "");
 }
 
@@ -122,7 +128,7 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
         return false;
     }
     Inbox.SetHolder(SessionId, Reason);
-    Inbox.WaitForArrival();
+    spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
     return true;

@@ -76,9 +76,8 @@ void FInbox::Leave(uint64 Session) {
             return;
         }
         News.Left.push_back(Session);
-        ++Arrivals;
     }
-    Arrived.notify_one();
+    Wake();
 }
 
 FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batch& Message) {
@@ -142,9 +141,8 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         if (Verdict.Kind != FVerdict::Queued) {
             return Verdict;
         }
-        ++Arrivals;
     }
-    Arrived.notify_one();
+    Wake();
     return Verdict;
 }
 
@@ -216,8 +214,7 @@ FInbox::FVerdict FInbox::SubmitToBlock(
     }
     if (TooMuch) {
         // The operations are refused, but a block that closes is closed: the frame must go on.
-        ++Arrivals;
-        Arrived.notify_one();
+        Wake();
         return {FVerdict::Refused, std::move(*TooMuch)};
     }
     Entry.LastSequence = Batch.Sequence;
@@ -356,19 +353,11 @@ std::string FInbox::ClientNameOf(uint64 Session) const {
     return Entry ? Entry->Greeting.ClientName : std::string();
 }
 
-void FInbox::WaitForArrival() {
-    std::unique_lock Lock(Mutex);
-    Arrived.wait_for(Lock, std::chrono::milliseconds(spear::limits::game_thread_wake_ms),
-        [this] { return Arrivals != SeenArrivals; });
-    SeenArrivals = Arrivals;
-}
-
-void FInbox::Wake() {
-    {
-        const std::lock_guard Lock(Mutex);
-        ++Arrivals;
+/// What arrived is in place.
+void FInbox::Wake() const {
+    if (spear_server* Server = Bell.load(std::memory_order_acquire)) {
+        spear_server_wake(Server);
     }
-    Arrived.notify_one();
 }
 
 void FInbox::SetHolder(uint64 Session, const char* Reason) {
