@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the benchmark calls through reflection, and the same calls made without SPEAR, for comparison.
+
+#include "CoreMinimal.h"
+#include "UObject/Object.h"
+
+#include "SpearBench.generated.h"
+
+UCLASS()
+class SPEARBENCH_API USpearBench : public UObject {
+    GENERATED_BODY()
+
+public:
+    /** A function that does next to nothing, with a vector as argument and result. */
+    UFUNCTION(BlueprintCallable, Category = "SpearBench")
+    FVector Move(FVector By) {
+        Place += By;
+        return Place;
+    }
+
+    /** Calls Move through ProcessEvent that many times, as C++ code inside the engine would. Returns the nanoseconds of one call. */
+    UFUNCTION(BlueprintCallable, Category = "SpearBench")
+    double MeasureDirect(int32 Calls);
+
+    UPROPERTY()
+    FVector Place = FVector::ZeroVector;
+};
