@@ -5,9 +5,11 @@
 // its own, so that no test inherits another's open blocks.
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include <doctest/doctest.h>
@@ -71,6 +73,12 @@ struct Client {
 template <typename T>
 std::uint64_t frame_of(const spear::Future<T>& future) {
     return future.operation().get().frame;
+}
+
+/// Whether sessions may use shared memory here: SPEAR_CHANNEL=off turns it off for whole runs of these tests.
+inline bool channel_is_on() {
+    const char* const setting = std::getenv("SPEAR_CHANNEL");
+    return !setting || std::string_view(setting) != "off";
 }
 
 /// Starts this program again to be a client of the shared engine that dies or hangs: see main.cpp. Returns its process

@@ -201,7 +201,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     }
 
     kj::Promise<void> attend() {
-        return io->provider->getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] {
+        const auto pause = channel->more_is_coming() ? 1 * kj::MILLISECONDS : 100 * kj::MILLISECONDS;
+        return io->provider->getTimer().afterDelay(pause).then([this] {
             if (callbacks.attend && !ended) {
                 callbacks.attend(callbacks.user);
             }

@@ -26,6 +26,9 @@ public:
     int take(std::uint64_t& request, spear_answers& answers);
     void wait(std::uint32_t wakes, std::uint32_t timeout_us);
 
+    /// Whether answers wait at the server for room in the ring.
+    bool more_is_coming() const noexcept { return load_ordered(&header_.server_wants_room) != 0; }
+
     std::uint32_t wakes() const noexcept { return wakes_.load(); }
     void wake() noexcept;
 
