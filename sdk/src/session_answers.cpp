@@ -98,13 +98,24 @@ void Session::Impl::receive(std::uint64_t request, const spear_answers& answers)
     for (const auto& argument : batch.arguments) {
         drop_user(argument);
     }
-    changed.notify_all();
+    batch.clear();
+    spare = std::move(node);
+    if (followers != 0) {
+        changed.notify_all();
+    }
 }
 
 void Session::Impl::finish_batch(OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message,
     std::uint64_t frame) {
     Decoder in(*message);
-    const auto find = [&batch](std::uint64_t number) {
+    // Answers come in the order of the operations, so the next is nearly always the one wanted.
+    std::size_t next = 0;
+    std::size_t missing = batch.states.size();
+    const auto find = [&](std::uint64_t number) -> std::shared_ptr<OperationState> {
+        if (next < batch.states.size() && batch.states[next]->number == number) {
+            --missing;
+            return batch.states[next++];
+        }
         const auto at = std::ranges::lower_bound(batch.states, number, {}, &OperationState::number);
         return at != batch.states.end() && (*at)->number == number ? *at : nullptr;
     };
@@ -131,6 +142,9 @@ void Session::Impl::finish_batch(OperationBatch& batch, const std::shared_ptr<co
         } else if (answer == AnswerState::failed) {
             report_failure(batch, {batch.transaction, std::move(error), nullptr});
         }
+    }
+    if (missing == 0) {
+        return;
     }
     for (const auto& state : batch.states) {
         if (state->stage.load(std::memory_order_relaxed) == OperationState::Stage::sent && !state->fire_and_forget) {

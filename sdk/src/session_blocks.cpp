@@ -18,8 +18,9 @@ std::string seconds(Milliseconds time) { return fmt::format("{:g} s", static_cas
 
 /// Sends one batch and returns its request number. The mutex is held, so announcements go out in the order of their
 /// numbers.
-std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool abort, bool single_step) {
-    const std::vector<std::byte> types = announcer.take_pending();
+/// The batch is empty afterwards.
+std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abort, bool single_step) {
+    const ByteBuffer types = announcer.take_pending();
     spear_batch wire{};
     wire.transaction = batch.transaction;
     wire.block = batch.block;
@@ -35,7 +36,6 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
     const std::uint64_t request = next_request++;
     const bool refused = spear_client_submit(client, request, &wire) != 0;
     releases.clear();
-    batch.operations = {};
     for (const auto& state : batch.states) {
         if (!state->is_done()) {
             state->stage.store(OperationState::Stage::sent, std::memory_order_release);
@@ -44,7 +44,14 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
     if (batch.block != SPEAR_BLOCK_NONE) {
         last_request[batch.block] = request;
     }
-    in_flight.emplace(request, std::move(batch));
+    if (spare) {
+        spare.key() = request;
+        std::swap(spare.mapped(), batch);
+        in_flight.insert(in_flight.end(), std::move(spare));
+        spare = {};
+    } else {
+        in_flight.emplace_hint(in_flight.end(), request, std::exchange(batch, {}));
+    }
     if (refused) {
         lose(
             {ErrorCode::Disconnected, fmt::format("The connection to the engine at {} is lost.", address), {}, {}, {}});
@@ -55,12 +62,11 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
 
 /// Sends what the open block has recorded, and holds the game thread from now on.
 void Session::Impl::send_recorded() {
-    OperationBatch next;
-    next.transaction = block.transaction;
-    next.block = block.block;
-    std::swap(next, block);
+    const std::uint8_t kind = block.block;
     holds_game_thread = true;
-    submit(std::move(next), false);
+    submit(block, false);
+    block.transaction = transaction;
+    block.block = kind;
 }
 
 // Waiting
@@ -212,7 +218,7 @@ void Session::Impl::ask_for_late(const std::shared_ptr<OperationState>& state) {
     end_operation(batch.operations, at);
     batch.states.push_back(std::move(asking));
     batch.count = 1;
-    submit(std::move(batch), false);
+    submit(batch, false);
 }
 
 /// False at the timeout. Raises NeedsFrames.
@@ -330,7 +336,7 @@ void Session::Impl::open(BlockKind kind) {
         phase = Phase::end_open;
     }
     holds_game_thread = false;
-    block = {};
+    block.clear();
     block.transaction = transaction;
     block.block = static_cast<std::uint8_t>(kind);
 }
@@ -359,7 +365,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
     if (!is_begin) {
         holds_single_step = single_step;
     }
-    const std::uint64_t request = submit(std::exchange(block, {}), true, false, single_step);
+    const std::uint64_t request = submit(block, true, false, single_step);
     try {
         if (waits) {
             wait_for_request(lock, request, fmt::format("The end of the {} block", block_name(kind)));
@@ -398,7 +404,7 @@ void Session::Impl::abandon() noexcept {
             batch.block = SPEAR_BLOCK_END;
         }
         batch.is_abandoned = true;
-        submit(std::move(batch), true, true);
+        submit(batch, true, true);
     } catch (const std::exception& exception) {
         log_message(LogLevel::error, std::string("a transaction could not be closed: ") + exception.what());
     }

@@ -56,6 +56,9 @@ struct OperationState {
     bool is_done() const noexcept { return stage.load(std::memory_order_acquire) == Stage::done; }
 };
 
+/// Makes one in memory that this thread has freed before, where there is some: operations come and go by the thousand.
+std::shared_ptr<OperationState> make_operation_state();
+
 } // namespace detail
 
 using detail::OperationState;
@@ -71,6 +74,21 @@ struct OperationBatch {
     std::uint64_t transaction = 0;
     std::uint8_t block = SPEAR_BLOCK_NONE;
     bool is_abandoned = false; ///< failures are logged
+
+    /// As new, but with its memory.
+    void clear() {
+        constexpr std::size_t largest_kept = 1u << 20;
+        if (operations.buffer.capacity() > largest_kept) {
+            operations = {};
+        }
+        operations.buffer.clear();
+        states.clear();
+        arguments.clear();
+        count = fire_and_forget = 0;
+        transaction = 0;
+        block = SPEAR_BLOCK_NONE;
+        is_abandoned = false;
+    }
 };
 
 /// A failure that nobody was told yet.
@@ -120,7 +138,10 @@ struct Session::Impl {
     std::uint64_t next_operation = 1;
     std::uint64_t next_request = 1;
     std::uint64_t next_transaction = 1;
-    std::map<std::uint64_t, OperationBatch> in_flight; // by request
+    using InFlight = std::map<std::uint64_t, OperationBatch>;
+    InFlight in_flight;            // by request
+    InFlight::node_type spare;     // the last one answered, with its memory
+    OperationBatch single;         // for an operation outside of blocks, while it is recorded
     std::unordered_map<std::uint64_t, std::shared_ptr<OperationState>> late;
     std::vector<std::uint64_t> releases;
     std::vector<Failure> failures;
@@ -159,7 +180,7 @@ struct Session::Impl {
     void drop_user(const std::shared_ptr<OperationState>& state);
 
     // session_blocks.cpp: sending and waiting
-    std::uint64_t submit(OperationBatch&& batch, bool closes, bool abort = false, bool single_step = false);
+    std::uint64_t submit(OperationBatch& batch, bool closes, bool abort = false, bool single_step = false);
     void send_recorded();
     void require_open(Lock& lock, std::string_view what) const;
     [[noreturn]] void throw_lost(Lock& lock, std::string_view what) const;

@@ -57,13 +57,13 @@ struct Pair {
         REQUIRE(channel->confirm(region->nonce(), channel_nonce_bytes, true));
         client = std::make_unique<ClientChannel>(std::move(region), largest, true);
         // Answers with the operations it got.
-        on_submit = [this](std::uint64_t request, const spear_batch& batch) {
+        set_submit([this](std::uint64_t request, const spear_batch& batch) {
             spear_answers answers{};
             answers.answers = batch.operations;
             answers.types = batch.types;
             answers.frame = batch.transaction;
             server.reply(1, request, answers);
-        };
+        });
         server.add(channel);
     }
     ~Pair() { server.remove(1); }

@@ -208,11 +208,11 @@ void record_sends(Client& client) {
     }
 }
 
-Samples direct(const std::string& address) {
+Samples direct(const std::string& address, bool by_name) {
     Client client(address, {});
     return client.in_block([&] {
-        client.bench.call<double>("MeasureDirect", block);
-        return Samples{client.bench.call<double>("MeasureDirect", transactions * block) / 1000};
+        client.bench.call<double>("MeasureDirect", block, by_name);
+        return Samples{client.bench.call<double>("MeasureDirect", transactions * block, by_name) / 1000};
     });
 }
 
@@ -229,7 +229,8 @@ const std::vector<std::pair<std::string, std::function<Samples(const std::string
         {"cpp_send", [](const std::string& address) { return asynchronous(address, {}, record_sends); }},
         {"cpp_async_rpc",
             [](const std::string& address) { return asynchronous(address, {.channel = false}, record_futures); }},
-        {"direct", direct},
+        {"direct", [](const std::string& address) { return direct(address, true); }},
+        {"direct_bare", [](const std::string& address) { return direct(address, false); }},
     };
     return table;
 }

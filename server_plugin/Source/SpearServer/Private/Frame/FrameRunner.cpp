@@ -17,6 +17,10 @@
 
 namespace SpearServer {
 
+namespace {
+constexpr const char* NoReason = "";
+} // namespace
+
 void FFrameRunner::Start(spear_server* InServer) {
     Server = InServer;
     BeginFrameHandle = FCoreDelegates::OnBeginFrame.AddRaw(this, &FFrameRunner::OnBeginFrame);
@@ -73,7 +77,7 @@ void FFrameRunner::OnBeginFrame() {
         }
     }
     spear_server_release(Server);
-    Inbox.SetHolder(0, "");
+    SetHolder(0, NoReason);
 }
 
 void FFrameRunner::OnEndFrame() {
@@ -87,7 +91,7 @@ void FFrameRunner::OnEndFrame() {
     }
     InFrame.clear();
     spear_server_release(Server);
-    Inbox.SetHolder(0, "");
+    SetHolder(0, NoReason);
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
@@ -127,7 +131,7 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
     if (IsEngineExitRequested()) {
         return false;
     }
-    Inbox.SetHolder(SessionId, Reason);
+    SetHolder(SessionId, Reason);
     spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
@@ -138,6 +142,12 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
 // -------------------------------------------------------------------------------------------------------------------
 
 void FFrameRunner::KeepHouse() {
+    SweepIfNeeded();
+    const uint64 Count = Inbox.GetNewsCount();
+    if (Count == SeenNews) {
+        return;
+    }
+    SeenNews = Count;
     FInboxNews News = Inbox.TakeNews();
     for (FSessionGreeting& Greeting : News.Joined) {
         const uint64 Id = Greeting.Id;
@@ -149,7 +159,6 @@ void FFrameRunner::KeepHouse() {
                          [Id](const FRunningBatch& One) { return One.Batch.Session == Id; }),
             Parked.end());
     }
-    SweepIfNeeded();
     for (const auto& [Id, Session] : Sessions) {
         ApplyNews(*Session);
     }
@@ -169,6 +178,10 @@ void FFrameRunner::ApplyNews(FSession& Session) {
 }
 
 void FFrameRunner::RunFreeBatches() {
+    if (!Inbox.HasFreeBatches() && Parked.empty()) {
+        KeepHouse();
+        return;
+    }
     // What has arrived is taken before announcements are applied, so that those of each batch are there when it runs.
     std::vector<FBatch> Arrived = Inbox.TakeFreeBatches();
     KeepHouse();
@@ -195,6 +208,14 @@ void FFrameRunner::RunFreeBatches() {
     }
 }
 
+void FFrameRunner::SetHolder(uint64 SessionId, const char* Reason) {
+    if (SessionId != Holder || Reason != HoldReason) {
+        Holder = SessionId;
+        HoldReason = Reason;
+        Inbox.SetHolder(SessionId, Reason);
+    }
+}
+
 void FFrameRunner::RunAndReply(FBatch Batch) {
     KeepHouse();
     FSession* Session = FindSession(Batch.Session);
@@ -211,7 +232,7 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
 }
 
 void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
-    std::vector<std::byte> Types;
+    spear::ByteBuffer Types;
     if (FSession* Session = FindSession(Batch.Session)) {
         Types = Session->TypeNumbers.TakePending();
     }

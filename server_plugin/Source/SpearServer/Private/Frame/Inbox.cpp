@@ -67,15 +67,20 @@ void FInbox::Join(FSessionGreeting Greeting) {
     const std::lock_guard Lock(Mutex);
     Entries[Greeting.Id].Greeting = Greeting;
     News.Joined.push_back(std::move(Greeting));
+    ++NewsCount;
 }
 
 void FInbox::Leave(uint64 Session) {
     {
         const std::lock_guard Lock(Mutex);
-        if (Entries.erase(Session) == 0) {
+        const auto At = Entries.find(Session);
+        if (At == Entries.end()) {
             return;
         }
+        NumFreeBatches -= At->second.FreeBatches.size();
+        Entries.erase(At);
         News.Left.push_back(Session);
+        ++NewsCount;
     }
     Wake();
 }
@@ -101,8 +106,11 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
             return {FVerdict::Drop,
                 MakeError(ErrorCode::LimitExceeded, "the session has far too many bytes queued; it is ended")};
         }
-        Entry->Types.insert(Entry->Types.end(), Types.begin(), Types.end());
-        Entry->QueuedBytes += Beside;
+        if (Beside != 0) {
+            Entry->Types.insert(Entry->Types.end(), Types.begin(), Types.end());
+            Entry->QueuedBytes += Beside;
+            ++NewsCount;
+        }
 
         FBatch Batch;
         Batch.Session = Session;
@@ -133,6 +141,7 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
             Entry->LastSequence = Batch.Sequence;
             Entry->Outstanding.insert(Batch.Sequence);
             Entry->FreeBatches.push_back(std::move(Batch));
+            ++NumFreeBatches;
         }
         if (Message.release_count != 0) {
             Entry->Releases.push_back(
@@ -290,6 +299,7 @@ std::vector<FBatch> FInbox::TakeFreeBatches() {
         }
         Entry.FreeBatches.clear();
     }
+    NumFreeBatches = 0;
     return Taken;
 }
 
@@ -344,6 +354,7 @@ void FInbox::NoteRun(const FBatch& Batch) {
     if (FEntry* Entry = Find(Batch.Session)) {
         Entry->QueuedBytes -= std::min(Batch.Operations.size(), Entry->QueuedBytes);
         Entry->Outstanding.erase(Batch.Sequence);
+        NewsCount += !Entry->Releases.empty(); // they may be ready now
     }
 }
 

@@ -68,10 +68,13 @@ public:
 
     // Game thread
     // -----------------------------------------------------------------------------------------------------------
+    /// Rises when there is something for TakeNews or TakeSessionNews.
+    uint64 GetNewsCount() const { return NewsCount.load(std::memory_order_acquire); }
     FInboxNews TakeNews();
     FSessionNews TakeSessionNews(uint64 Session);
     /// All batches outside of blocks, in order of arrival within each session.
     std::vector<FBatch> TakeFreeBatches();
+    bool HasFreeBatches() const { return NumFreeBatches.load(std::memory_order_acquire) != 0; }
     /// The session whose waiting transaction arrived first: of those that Fits(session) accepts.
     template <typename F>
     std::optional<uint64> NextSessionToBegin(F&& Fits) const {
@@ -131,6 +134,8 @@ private:
     const FEntry* Find(uint64 Session) const;
 
     mutable std::mutex Mutex;
+    std::atomic<uint64> NewsCount{0};         // rises under Mutex
+    std::atomic<std::size_t> NumFreeBatches{0}; // changes under Mutex
     std::atomic<spear_server*> Bell{nullptr};
     uint64 LastTransactionArrival = 0;
     std::map<uint64, FEntry> Entries;
