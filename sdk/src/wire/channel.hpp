@@ -160,16 +160,21 @@ public:
         if (!worth_it()) {
             return false;
         }
-        const std::uint64_t ends = now_ns() + spin_ns;
-        do {
-            for (int i = 0; i < 32; ++i) {
+        std::uint64_t ends = 0; // the clock is asked only when the answer takes longer than a usual one
+        for (;;) {
+            for (int i = 0; i < 64; ++i) {
                 if (arrived()) {
                     misses_ = 0;
                     return true;
                 }
                 pause();
             }
-        } while (now_ns() < ends);
+            const std::uint64_t now = now_ns();
+            ends = ends != 0 ? ends : now + spin_ns;
+            if (now >= ends) {
+                break;
+            }
+        }
         misses_ = misses_ < give_up_after ? misses_ + 1 : misses_;
         return false;
     }
