@@ -87,10 +87,11 @@ int be_child(std::string_view what, const char* address) {
 } // namespace
 
 spear::LaunchOptions launch_options() {
+    const char* const other = std::getenv("SPEAR_TEST_ENGINE"); // see run_apart
     return {.fps = 200,
         .fixed_dt = fixed_dt,
         .seed = 1,
-        .executable = SPEAR_TEST_ENGINE,
+        .executable = other ? other : SPEAR_TEST_ENGINE,
         .arguments = {"--plugin-dir", SPEAR_TEST_PLUGINS},
         .connect_timeout = 60s,
         .deadline = 10s};

@@ -72,12 +72,15 @@ TEST_CASE("channel: used on one machine, also over TCP; off by option") {
     CHECK(without.game.get_class("AActor").class_name() == "UClass");
     Client quiet({.deadline = 10s, .spin = false});
     CHECK(quiet.game.get_class("AActor").class_name() == "UClass");
+    CHECK(files_of_engine() == 0);
+    if (engine_is_apart()) {
+        return; // its loopback is not ours
+    }
     spear::LaunchOptions options = launch_options();
     options.address = "tcp://127.0.0.1:" + std::to_string(free_port());
     spear::Instance instance = spear::launch(options);
     CHECK(instance.session()->uses_channel() == channel_is_on());
     CHECK(instance.game().get_class("AActor").class_name() == "UClass");
-    CHECK(files_of_engine() == 0);
 }
 
 TEST_CASE("channel: messages larger than its rings, both ways, and many at once") {

@@ -266,6 +266,11 @@ std::shared_ptr<ServerChannel> ServerChannels::find(std::uint64_t session) const
 }
 
 bool ServerChannels::reply(std::uint64_t session, std::uint64_t request, const spear_answers& answers) {
+    if (std::this_thread::get_id() == game_thread_.load(std::memory_order_relaxed) && claimed_ &&
+        session == claimed_session_) {
+        claimed_->reply(request, answers);
+        return true;
+    }
     const std::shared_ptr<ServerChannel> channel = find(session);
     if (channel) {
         channel->reply(request, answers);
@@ -293,6 +298,7 @@ void ServerChannels::poll() {
 }
 
 void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
+    game_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     const std::uint32_t changes = changes_.load(std::memory_order_acquire);
     if (session != claimed_session_ || changes != seen_changes_) {
         release();
@@ -308,15 +314,19 @@ void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
     const auto idle = [this] { return wakes_.load() == seen_wakes_; };
     if (claimed_) {
         if (claimed_->pump() == 0 && idle()) {
+            waits_ = true;
             claimed_->wait(timeout_ms * 1000, idle);
+            waits_ = false;
             claimed_->pump();
         }
     } else {
+        waits_ = true;
         store_ordered(&sleeps_, 1u);
         if (idle()) {
             futex_wait(&sleeps_, 1, timeout_ms * 1000);
         }
         store_ordered(&sleeps_, 0u);
+        waits_ = false;
     }
     // The caller looks at everything now; a wake() counted here had its reason in place before.
     seen_wakes_ = wakes_.load();
@@ -336,6 +346,9 @@ void ServerChannels::release() {
 
 void ServerChannels::wake() {
     ++wakes_;
+    if (!waits_) { // it looks at wakes_ before it sleeps
+        return;
+    }
     wake_sleeper(&sleeps_);
     const std::lock_guard lock(sleep_mutex_);
     if (sleeps_at_) {

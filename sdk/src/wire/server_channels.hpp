@@ -120,6 +120,8 @@ private:
     std::atomic<std::uint32_t> changes_{0};                           // of channels_
 
     std::atomic<std::uint32_t> wakes_{0};
+    std::atomic<bool> waits_{false};             // the game thread is about to sleep, or sleeps
+    std::atomic<std::thread::id> game_thread_{}; // relaxed: each thread looks only for itself
     std::uint32_t seen_wakes_ = 0;               // game thread
     std::uint32_t seen_changes_ = 0;             // game thread
     std::shared_ptr<ServerChannel> claimed_;     // game thread
