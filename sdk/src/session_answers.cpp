@@ -92,8 +92,8 @@ void Session::Impl::receive(std::uint64_t request, const spear_answers& answers)
                                        answers.error_message ? answers.error_message : "", {}, {}, {}});
     } else {
         const auto* bytes = reinterpret_cast<const std::byte*>(answers.answers.data);
-        finish_batch(batch, std::make_shared<const std::vector<std::byte>>(bytes, bytes + answers.answers.size),
-            answers.frame);
+        finish_batch(
+            batch, std::make_shared<const std::vector<std::byte>>(bytes, bytes + answers.answers.size), answers.frame);
     }
     for (const auto& argument : batch.arguments) {
         drop_user(argument);
@@ -105,8 +105,8 @@ void Session::Impl::receive(std::uint64_t request, const spear_answers& answers)
     }
 }
 
-void Session::Impl::finish_batch(OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message,
-    std::uint64_t frame) {
+void Session::Impl::finish_batch(
+    OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message, std::uint64_t frame) {
     Decoder in(*message);
     // Answers come in the order of the operations, so the next is nearly always the one wanted.
     std::size_t next = 0;

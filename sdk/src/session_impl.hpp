@@ -139,9 +139,9 @@ struct Session::Impl {
     std::uint64_t next_request = 1;
     std::uint64_t next_transaction = 1;
     using InFlight = std::map<std::uint64_t, OperationBatch>;
-    InFlight in_flight;            // by request
-    InFlight::node_type spare;     // the last one answered, with its memory
-    OperationBatch single;         // for an operation outside of blocks, while it is recorded
+    InFlight in_flight;        // by request
+    InFlight::node_type spare; // the last one answered, with its memory
+    OperationBatch single;     // for an operation outside of blocks, while it is recorded
     std::unordered_map<std::uint64_t, std::shared_ptr<OperationState>> late;
     std::vector<std::uint64_t> releases;
     std::vector<Failure> failures;
@@ -170,8 +170,8 @@ struct Session::Impl {
     void take_answers();
     void write_log(Lock& lock);
     void receive(std::uint64_t request, const spear_answers& answers);
-    void finish_batch(OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message,
-        std::uint64_t frame);
+    void finish_batch(
+        OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message, std::uint64_t frame);
     void finish_failed_batch(OperationBatch& batch, ErrorInfo error);
     void finish(OperationBatch& batch, const std::shared_ptr<OperationState>& state, RawResult result,
         std::shared_ptr<const ErrorInfo> error, bool is_late);

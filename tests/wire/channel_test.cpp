@@ -73,7 +73,8 @@ struct Pair {
         return std::exchange(on_submit, std::move(submit));
     }
 
-    void submit(std::uint64_t request, const std::vector<std::uint8_t>& operations, std::uint8_t block = SPEAR_BLOCK_NONE) {
+    void submit(
+        std::uint64_t request, const std::vector<std::uint8_t>& operations, std::uint8_t block = SPEAR_BLOCK_NONE) {
         spear_batch batch{};
         batch.transaction = request;
         batch.block = block;
@@ -116,7 +117,7 @@ TEST_CASE("region: of this user only, gone from the file system once the client 
     auto made = ChannelRegion::create(why);
     REQUIRE_MESSAGE(made, why);
     const std::string name = made->name();
-    struct stat info {};
+    struct stat info{};
     REQUIRE(::stat(("/dev/shm/" + name).c_str(), &info) == 0);
     CHECK((info.st_mode & 0777) == 0600);
     CHECK(static_cast<std::size_t>(info.st_size) == channel_region_bytes);

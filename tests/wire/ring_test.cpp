@@ -17,7 +17,9 @@ namespace {
 constexpr std::size_t largest = 1u << 20;
 
 struct Ring {
-    explicit Ring(std::size_t bytes) : memory(bytes), writer(memory.data(), &tail, &head, bytes), reader(memory.data(), &tail, &head, bytes, largest) {}
+    explicit Ring(std::size_t bytes)
+        : memory(bytes), writer(memory.data(), &tail, &head, bytes),
+          reader(memory.data(), &tail, &head, bytes, largest) {}
     std::vector<std::byte> memory;
     std::uint64_t tail = 0, head = 0;
     ChannelWriter writer;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// spear-bench ADDRESS: measures what calls of the engine at that address cost, one row at a time, as standard input asks. Each line
-// of input names a row (`spear-bench --rows` lists them); each gives one line of JSON: {"row": ..., "us": [samples, microseconds]}.
-// `spear bench calls` runs it, interleaved with its own rows. The engine needs the plugin SpearBench.
+// spear-bench ADDRESS: measures what calls of the engine at that address cost, one row at a time, as standard input
+// asks. Each line of input names a row (`spear-bench --rows` lists them); each gives one line of JSON: {"row": ...,
+// "us": [samples, microseconds]}. `spear bench calls` runs it, interleaved with its own rows. The engine needs the
+// plugin SpearBench.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -28,7 +29,9 @@ using Samples = std::vector<double>;
 using Clock = std::chrono::steady_clock;
 using spear::unreal::FVector;
 
-double us_since(Clock::time_point began) { return std::chrono::duration<double, std::micro>(Clock::now() - began).count(); }
+double us_since(Clock::time_point began) {
+    return std::chrono::duration<double, std::micro>(Clock::now() - began).count();
+}
 
 constexpr int pings = 200;       ///< round trips of a row, each one a sample
 constexpr int warm_up = 50;      ///< before them
@@ -78,8 +81,7 @@ Samples floor_socket() {
         [&] {
             ::close(ends[0]);
             char byte = 0;
-            while (::read(ends[1], &byte, 1) == 1 && ::write(ends[1], &byte, 1) == 1) {
-            }
+            while (::read(ends[1], &byte, 1) == 1 && ::write(ends[1], &byte, 1) == 1) {}
         },
         [&] {
             ::close(ends[1]);
@@ -100,8 +102,8 @@ Samples floor_memory(bool spins) {
         alignas(128) std::uint32_t there;
         alignas(128) std::uint32_t back;
     };
-    auto* const words = static_cast<Words*>(
-        ::mmap(nullptr, sizeof(Words), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+    auto* const words =
+        static_cast<Words*>(::mmap(nullptr, sizeof(Words), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
     constexpr std::uint32_t rounds = pings + warm_up;
     const auto wait = [&](std::uint32_t* word, std::uint32_t wanted) {
         for (std::uint32_t seen; (seen = __atomic_load_n(word, __ATOMIC_SEQ_CST)) != wanted;) {

@@ -108,7 +108,7 @@ private:
     std::uint64_t* const tail_;
     const std::uint64_t* const head_;
     const std::size_t ring_bytes_;
-    std::uint64_t written_ = 0;   ///< our tail; what is in memory is only for the reader
+    std::uint64_t written_ = 0; ///< our tail; what is in memory is only for the reader
     std::uint64_t published_ = 0;
     std::uint64_t seen_head_ = 0;
     bool broken_ = false;
@@ -182,9 +182,7 @@ public:
 private:
     static constexpr std::uint64_t spin_ns = 50'000;
     static constexpr unsigned give_up_after = 4, try_again_every = 16;
-    bool worth_it() {
-        return enabled_ && (misses_ < give_up_after || ++skipped_ % try_again_every == 0);
-    }
+    bool worth_it() { return enabled_ && (misses_ < give_up_after || ++skipped_ % try_again_every == 0); }
     static std::uint64_t now_ns();
     static void pause() {
 #if defined(__x86_64__) || defined(__i386__)

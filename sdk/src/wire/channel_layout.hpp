@@ -41,16 +41,16 @@ struct ChannelHeader {
     std::uint8_t nonce[channel_nonce_bytes];
 
     // Positions and words lie apart by two cache lines (processors fetch lines in pairs).
-    alignas(128) std::uint64_t to_server_tail;      ///< written by the client
-    alignas(128) std::uint64_t to_server_head;      ///< written by the server
-    alignas(128) std::uint64_t to_client_tail;      ///< written by the server
-    alignas(128) std::uint64_t to_client_head;      ///< written by the client
-    alignas(128) std::uint32_t game_thread_reads;   ///< server: 1 while the game thread reads, 0: the watcher thread
-    std::uint32_t wake_for_blocks;                  ///< server: 1 if the watcher is to be woken for batches of blocks too
-    std::uint32_t server_wants_room;                ///< server: 1 while answers wait for room; the client wakes the watcher
-    alignas(128) std::uint32_t game_thread_sleeps;  ///< sleeping word
-    alignas(128) std::uint32_t watcher_sleeps;      ///< sleeping word
-    alignas(128) std::uint32_t client_sleeps;       ///< sleeping word
+    alignas(128) std::uint64_t to_server_tail;    ///< written by the client
+    alignas(128) std::uint64_t to_server_head;    ///< written by the server
+    alignas(128) std::uint64_t to_client_tail;    ///< written by the server
+    alignas(128) std::uint64_t to_client_head;    ///< written by the client
+    alignas(128) std::uint32_t game_thread_reads; ///< server: 1 while the game thread reads, 0: the watcher thread
+    std::uint32_t wake_for_blocks;                ///< server: 1 if the watcher is to be woken for batches of blocks too
+    std::uint32_t server_wants_room; ///< server: 1 while answers wait for room; the client wakes the watcher
+    alignas(128) std::uint32_t game_thread_sleeps; ///< sleeping word
+    alignas(128) std::uint32_t watcher_sleeps;     ///< sleeping word
+    alignas(128) std::uint32_t client_sleeps;      ///< sleeping word
     alignas(128) std::uint8_t reserved[channel_header_bytes - 1152];
 };
 static_assert(sizeof(ChannelHeader) == channel_header_bytes);

@@ -105,11 +105,11 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
 
     std::mutex mutex;
     std::condition_variable changed;
-    bool started = false;         // under mutex: connected, or failed
+    bool started = false;               // under mutex: connected, or failed
     std::atomic<bool> connected{false}; // changed under mutex
-    spear_wire_error failure{};   // under mutex: why it did not connect
-    LoopQueue* queue = nullptr;   // under mutex; null before and after the session
-    std::uint64_t session_id = 0; // written before `started`
+    spear_wire_error failure{};         // under mutex: why it did not connect
+    LoopQueue* queue = nullptr;         // under mutex; null before and after the session
+    std::uint64_t session_id = 0;       // written before `started`
     std::thread thread;
 
     // I/O thread only.
@@ -118,7 +118,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     kj::Own<kj::PromiseFulfiller<void>> finish;
     kj::TaskSet* tasks = nullptr;
     std::uint32_t lease_ms = 0;
-    bool ended = false; // `lost` was told, or the session was closed
+    bool ended = false;   // `lost` was told, or the session was closed
     bool flushes = false; // a flush() of the channel is due
 
     bool post(std::function<void()> work) {

@@ -34,9 +34,9 @@ bool ClientChannel::submit(std::uint64_t request, const spear_batch& batch) {
     bool waits = false;
     {
         const std::lock_guard lock(write_mutex_);
-        writer_.write({{&head, sizeof(head)}, {batch.releases, releases},
-            {batch.operations.data, batch.operations.size}, {batch.types.data, batch.types.size},
-            {zeros, padding(size)}});
+        writer_.write(
+            {{&head, sizeof(head)}, {batch.releases, releases}, {batch.operations.data, batch.operations.size},
+                {batch.types.data, batch.types.size}, {zeros, padding(size)}});
         waits = writer_.waiting_bytes() != 0;
         wants_room_.store(waits, std::memory_order_relaxed);
     }

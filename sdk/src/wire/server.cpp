@@ -477,11 +477,11 @@ struct spear_server {
     Text failure;               // under mutex: why the loop never ran
     LoopQueue* queue = nullptr; // set before `running`, cleared by the server thread under mutex
     ServerLoop* loop = nullptr; // server thread
-    ServerChannels channels{ChannelEvents{
-        [this](std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
-            callbacks.submit(callbacks.user, session, request, &batch);
-        },
-        [this](std::uint64_t session, const char* reason) { spear_server_drop(this, session, reason); }}};
+    ServerChannels channels{
+        ChannelEvents{[this](std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
+                          callbacks.submit(callbacks.user, session, request, &batch);
+                      },
+            [this](std::uint64_t session, const char* reason) { spear_server_drop(this, session, reason); }}};
     std::thread thread;
 
     void run() {

@@ -176,9 +176,7 @@ void ServerChannel::wait(std::uint32_t timeout_us, F&& idle) {
     store_ordered(&header_.game_thread_sleeps, 0u);
 }
 
-bool ServerChannel::watcher_has_work() const noexcept {
-    return closed_ || (!game_thread_reads_ && has_news());
-}
+bool ServerChannel::watcher_has_work() const noexcept { return closed_ || (!game_thread_reads_ && has_news()); }
 
 void ServerChannel::watch() {
     sigset_t all;

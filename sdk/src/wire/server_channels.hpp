@@ -115,9 +115,9 @@ private:
     const ChannelEvents events_;
     mutable std::mutex mutex_;
     std::map<std::uint64_t, std::shared_ptr<ServerChannel>> channels_; // under mutex_
-    std::size_t sessions_ = 0;                                        // under mutex_
-    bool is_polled_ = false;                                          // under mutex_: there is a game thread
-    std::atomic<std::uint32_t> changes_{0};                           // of channels_
+    std::size_t sessions_ = 0;                                         // under mutex_
+    bool is_polled_ = false;                                           // under mutex_: there is a game thread
+    std::atomic<std::uint32_t> changes_{0};                            // of channels_
 
     std::atomic<std::uint32_t> wakes_{0};
     std::atomic<bool> waits_{false};             // the game thread is about to sleep, or sleeps

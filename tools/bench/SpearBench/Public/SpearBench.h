@@ -20,8 +20,8 @@ public:
         return Place;
     }
 
-    /** Calls Move through ProcessEvent that many times, as C++ code inside the engine does: by name each time, as the code that Unreal
-     * generates for events does it, or with the function kept. Returns the nanoseconds of one call. */
+    /** Calls Move through ProcessEvent that many times, as C++ code inside the engine does: by name each time, as the
+     * code that Unreal generates for events does it, or with the function kept. Returns the nanoseconds of one call. */
     UFUNCTION(BlueprintCallable, Category = "SpearBench")
     double MeasureDirect(int32 Calls, bool bByName);
 

@@ -134,7 +134,7 @@ private:
     const FEntry* Find(uint64 Session) const;
 
     mutable std::mutex Mutex;
-    std::atomic<uint64> NewsCount{0};         // rises under Mutex
+    std::atomic<uint64> NewsCount{0};           // rises under Mutex
     std::atomic<std::size_t> NumFreeBatches{0}; // changes under Mutex
     std::atomic<spear_server*> Bell{nullptr};
     uint64 LastTransactionArrival = 0;

@@ -60,8 +60,8 @@ struct FCallPlan {
 
     FWeakObjectPtr Class;
     FWeakObjectPtr Function;
-    std::string OperationName;                         ///< "AActor::K2_SetActorLocation"
-    std::vector<FParameter> Arguments;                 ///< in the order in which the client sends them
+    std::string OperationName;         ///< "AActor::K2_SetActorLocation"
+    std::vector<FParameter> Arguments; ///< in the order in which the client sends them
     std::unique_ptr<FParameterLayout> Layout;
     std::unique_ptr<FParameters> Defaults;             ///< holds the values of the arguments omitted
     std::vector<const FProperty*> Omitted;             ///< taken from Defaults
