@@ -165,26 +165,39 @@ TEST_CASE("spinner: gives up where it does not pay, tries again now and then") {
     if (!Spinner::allowed()) {
         Spinner spinner(true);
         int asked = 0;
-        CHECK_FALSE(spinner.spin([&] { return ++asked, true; }));
+        CHECK_FALSE(spinner.spin(nullptr, [&] { return ++asked, true; }));
         CHECK(asked == 0);
         return;
     }
     Spinner spinner(true);
     for (int i = 0; i < 4; ++i) {
-        CHECK_FALSE(spinner.spin([] { return false; }));
+        CHECK_FALSE(spinner.spin(nullptr, [] { return false; }));
     }
     int spun = 0;
     for (int i = 0; i < 160; ++i) {
         bool asked = false;
-        spinner.spin([&] { return asked = true, false; });
+        spinner.spin(nullptr, [&] { return asked = true, false; });
         spun += asked;
     }
     CHECK(spun == 10);
     bool asked = false;
     while (!asked) {
-        spinner.spin([&] { return asked = true; });
+        spinner.spin(nullptr, [&] { return asked = true; });
     }
-    CHECK(spinner.spin([] { return true; })); // it pays again
+    CHECK(spinner.spin(nullptr, [] { return true; })); // it pays again
     Spinner off(false);
-    CHECK_FALSE(off.spin([] { return true; }));
+    CHECK_FALSE(off.spin(nullptr, [] { return true; }));
+}
+
+TEST_CASE("spinner: does not spin for a partner that ran on the same core") {
+    Spinner spinner(true);
+    int asked = 0;
+    for (int i = 0; i < 100; ++i) {
+        const std::uint32_t here = Spinner::this_cpu();
+        const bool spun = spinner.spin(&here, [&] { return ++asked, true; });
+        CHECK((!spun || here != Spinner::this_cpu())); // or this thread was moved meanwhile
+    }
+    CHECK(asked < 10);
+    const std::uint32_t elsewhere = 100'000;
+    CHECK(spinner.spin(&elsewhere, [] { return true; }) == Spinner::allowed());
 }

@@ -184,6 +184,9 @@ void ChannelWriter::put(const std::byte* data, std::size_t size) {
 void ChannelWriter::publish() {
     if (written_ != published_) {
         published_ = written_;
+        if (cpu_) {
+            __atomic_store_n(cpu_, Spinner::this_cpu(), __ATOMIC_RELAXED);
+        }
         store_ordered(tail_, written_);
     }
 }
@@ -320,6 +323,8 @@ bool Spinner::allowed() {
     const bool several = ::sched_getaffinity(0, sizeof(cores), &cores) != 0 || CPU_COUNT(&cores) > 1;
     return several && setting_is_on("SPEAR_SPIN");
 }
+
+std::uint32_t Spinner::this_cpu() { return static_cast<std::uint32_t>(::sched_getcpu() + 1); }
 
 std::uint64_t Spinner::now_ns() {
     timespec now{};

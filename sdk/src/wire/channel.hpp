@@ -87,8 +87,10 @@ struct Bytes {
 /// The writing end of a ring, with a queue for what does not fit. One thread at a time.
 class ChannelWriter {
 public:
-    ChannelWriter(std::byte* ring, std::uint64_t* tail, const std::uint64_t* head, std::size_t ring_bytes)
-        : ring_(ring), tail_(tail), head_(head), ring_bytes_(ring_bytes) {}
+    /// `cpu`: where to note the core it writes on; may be null.
+    ChannelWriter(std::byte* ring, std::uint64_t* tail, const std::uint64_t* head, std::size_t ring_bytes,
+        std::uint32_t* cpu = nullptr)
+        : ring_(ring), tail_(tail), head_(head), ring_bytes_(ring_bytes), cpu_(cpu) {}
 
     /// Appends the parts, in this order, and publishes them. What does not fit waits for flush(). Throws
     /// std::bad_alloc, and then nothing was written.
@@ -108,6 +110,7 @@ private:
     std::uint64_t* const tail_;
     const std::uint64_t* const head_;
     const std::size_t ring_bytes_;
+    std::uint32_t* const cpu_;
     std::uint64_t written_ = 0; ///< our tail; what is in memory is only for the reader
     std::uint64_t published_ = 0;
     std::uint64_t seen_head_ = 0;
@@ -153,11 +156,14 @@ public:
     /// Off on one core, or by SPEAR_SPIN=off.
     explicit Spinner(bool wanted) : enabled_(wanted && allowed()) {}
     static bool allowed();
+    /// 1 + the core this thread runs on.
+    static std::uint32_t this_cpu();
 
-    /// Spins until `arrived`, if that has paid lately. Returns whether it arrived.
+    /// Spins until `arrived`, if that has paid lately, and the other side did not run on this very core just now: then
+    /// it cannot run while we spin. Returns whether it arrived.
     template <typename F>
-    bool spin(F&& arrived) {
-        if (!worth_it()) {
+    bool spin(const std::uint32_t* other_cpu, F&& arrived) {
+        if (!enabled_ || (other_cpu && __atomic_load_n(other_cpu, __ATOMIC_RELAXED) == this_cpu()) || !worth_it()) {
             return false;
         }
         std::uint64_t ends = 0; // the clock is asked only when the answer takes longer than a usual one
@@ -182,7 +188,7 @@ public:
 private:
     static constexpr std::uint64_t spin_ns = 50'000;
     static constexpr unsigned give_up_after = 4, try_again_every = 16;
-    bool worth_it() { return enabled_ && (misses_ < give_up_after || ++skipped_ % try_again_every == 0); }
+    bool worth_it() { return misses_ < give_up_after || ++skipped_ % try_again_every == 0; }
     static std::uint64_t now_ns();
     static void pause() {
 #if defined(__x86_64__) || defined(__i386__)

@@ -41,9 +41,12 @@ struct ChannelHeader {
     std::uint8_t nonce[channel_nonce_bytes];
 
     // Positions and words lie apart by two cache lines (processors fetch lines in pairs).
-    alignas(128) std::uint64_t to_server_tail;    ///< written by the client
+    alignas(128) std::uint64_t to_server_tail; ///< written by the client
+    std::uint32_t
+        client_cpu; ///< client: 1 + the core it wrote on last; beside the tail, which the other side reads anyway
     alignas(128) std::uint64_t to_server_head;    ///< written by the server
     alignas(128) std::uint64_t to_client_tail;    ///< written by the server
+    std::uint32_t server_cpu;                     ///< server: likewise
     alignas(128) std::uint64_t to_client_head;    ///< written by the client
     alignas(128) std::uint32_t game_thread_reads; ///< server: 1 while the game thread reads, 0: the watcher thread
     std::uint32_t wake_for_blocks;                ///< server: 1 if the watcher is to be woken for batches of blocks too
@@ -58,6 +61,7 @@ static_assert(offsetof(ChannelHeader, magic) == 0 && offsetof(ChannelHeader, lay
 static_assert(offsetof(ChannelHeader, ring_bytes) == 12 && offsetof(ChannelHeader, nonce) == 16);
 static_assert(offsetof(ChannelHeader, to_server_tail) == 128 && offsetof(ChannelHeader, to_server_head) == 256);
 static_assert(offsetof(ChannelHeader, to_client_tail) == 384 && offsetof(ChannelHeader, to_client_head) == 512);
+static_assert(offsetof(ChannelHeader, client_cpu) == 136 && offsetof(ChannelHeader, server_cpu) == 392);
 static_assert(offsetof(ChannelHeader, game_thread_reads) == 640 && offsetof(ChannelHeader, wake_for_blocks) == 644);
 static_assert(offsetof(ChannelHeader, server_wants_room) == 648 && offsetof(ChannelHeader, game_thread_sleeps) == 768);
 static_assert(offsetof(ChannelHeader, watcher_sleeps) == 896 && offsetof(ChannelHeader, client_sleeps) == 1024);

@@ -12,7 +12,8 @@ std::size_t padding(std::size_t size) { return (8 - size % 8) % 8; }
 
 ClientChannel::ClientChannel(std::unique_ptr<ChannelRegion> region, std::size_t max_message_bytes, bool spins)
     : region_(std::move(region)), header_(region_->header()),
-      writer_(region_->to_server(), &header_.to_server_tail, &header_.to_server_head, channel_ring_bytes),
+      writer_(region_->to_server(), &header_.to_server_tail, &header_.to_server_head, channel_ring_bytes,
+          &header_.client_cpu),
       reader_(region_->to_client(), &header_.to_client_tail, &header_.to_client_head, channel_ring_bytes,
           max_message_bytes + (1u << 20)),
       spinner_(spins) {}
@@ -110,7 +111,7 @@ void ClientChannel::wait(std::uint32_t wakes, std::uint32_t timeout_us) {
     const auto arrived = [&] { return reader_.has_news() || wakes_.load() != wakes; };
     // A large batch goes out while we wait for its answer.
     while (!flush()) {
-        if (spinner_.spin([&] { return arrived() || flush(); })) {
+        if (spinner_.spin(&header_.server_cpu, [&] { return arrived() || flush(); })) {
             if (arrived()) {
                 return;
             }
@@ -119,7 +120,7 @@ void ClientChannel::wait(std::uint32_t wakes, std::uint32_t timeout_us) {
             break;
         }
     }
-    if (spinner_.spin(arrived)) {
+    if (spinner_.spin(&header_.server_cpu, arrived)) {
         return;
     }
     store_ordered(&header_.client_sleeps, 1u);

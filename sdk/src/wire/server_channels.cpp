@@ -32,7 +32,8 @@ ServerChannel::ServerChannel(std::uint64_t session, std::unique_ptr<ChannelRegio
     : session_(session), region_(std::move(region)), header_(region_->header()), events_(events),
       reader_(region_->to_server(), &header_.to_server_tail, &header_.to_server_head, channel_ring_bytes,
           max_message_bytes + (1u << 20)),
-      writer_(region_->to_client(), &header_.to_client_tail, &header_.to_client_head, channel_ring_bytes) {}
+      writer_(region_->to_client(), &header_.to_client_tail, &header_.to_client_head, channel_ring_bytes,
+          &header_.server_cpu) {}
 
 ServerChannel::~ServerChannel() { close(); }
 
@@ -166,7 +167,7 @@ void ServerChannel::release() noexcept {
 
 template <typename F>
 void ServerChannel::wait(std::uint32_t timeout_us, F&& idle) {
-    if (spinner_->spin([&] { return has_news() || !idle(); })) {
+    if (spinner_->spin(&header_.client_cpu, [&] { return has_news() || !idle(); })) {
         return;
     }
     store_ordered(&header_.game_thread_sleeps, 1u);
