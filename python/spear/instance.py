@@ -109,6 +109,11 @@ class Instance:
         """The engine's process if this instance launched it."""
         return self._session.process_id
 
+    @property
+    def uses_channel(self) -> bool:
+        """Whether operations go through shared memory."""
+        return self._session.uses_channel
+
     def is_running(self) -> bool:
         """Whether the session still stands."""
         return self._session.is_open
@@ -129,17 +134,20 @@ class Instance:
 
 def connect(
     address: str = "", *, token: bytes | str = b"", lease: float | str | None = None, deadline: float | None = None, timeout: float = 10.0,
+    channel: bool = True, spin: bool = True,
 ) -> Instance:
     """Connects to a running engine.
 
     ``address``: ``unix:/path`` or ``tcp://host:port``; empty means the only engine of this user that runs (``spear engine list``).
     ``lease``: seconds without sign of life after which the server takes this program for dead; ``"off"`` for debuggers.
-    ``deadline``: seconds any wait may take before it raises; ``timeout``: for connecting. Raises EngineNotRunning, VersionMismatch,
+    ``deadline``: seconds any wait may take before it raises; ``timeout``: for connecting. ``channel``: let operations go through shared
+    memory if the engine is on this machine; ``spin``: let waits keep a core busy for some microseconds before they sleep (both are also
+    turned off by SPEAR_CHANNEL=off and SPEAR_SPIN=off in the environment). Raises EngineNotRunning, VersionMismatch,
     Unauthorized.
     """
     return Instance(_native.connect(
         address=address, token=token.encode() if isinstance(token, str) else token, lease_ms=_lease_ms(lease),
-        deadline_ms=0 if deadline is None else max(1, round(deadline * 1000)), timeout_ms=max(1, round(timeout * 1000)),
+        deadline_ms=0 if deadline is None else max(1, round(deadline * 1000)), timeout_ms=max(1, round(timeout * 1000)), channel=channel, spin=spin,
     ))
 
 

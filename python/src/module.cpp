@@ -37,8 +37,10 @@ const char* runs_on_name(RunsOn thread) {
 }
 
 SessionOptions session_options(const std::string& address, nb::bytes token, std::uint32_t lease_ms,
-    std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+    std::uint32_t deadline_ms, std::uint32_t timeout_ms, bool channel, bool spin) {
     SessionOptions options;
+    options.channel = channel;
+    options.spin = spin;
     options.address = address;
     options.token.assign(static_cast<const char*>(token.data()), token.size());
     options.no_lease = lease_ms == SPEAR_LEASE_OFF;
@@ -55,8 +57,9 @@ nb::object wrap(Instance instance) {
 }
 
 nb::object connect_python(const std::string& address, nb::bytes token, std::uint32_t lease_ms,
-    std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
-    const SessionOptions options = session_options(address, token, lease_ms, deadline_ms, timeout_ms);
+    std::uint32_t deadline_ms, std::uint32_t timeout_ms, bool channel, bool spin) {
+    const SessionOptions options =
+        session_options(address, token, lease_ms, deadline_ms, timeout_ms, channel, spin);
     std::optional<Instance> instance;
     {
         const nb::gil_scoped_release unlock;
@@ -221,6 +224,7 @@ NB_MODULE(_native, module) {
                 const EngineProcess* process = self.instance().process();
                 return process ? std::optional(process->process_id()) : std::nullopt;
             })
+        .def_prop_ro("uses_channel", [](PySession& self) { return self.session()->uses_channel(); })
         .def_prop_ro("is_open", [](PySession& self) { return self.session()->is_open(); })
         .def("begin_block", &PySession::begin_block)
         .def("end_block", &PySession::end_block)
@@ -244,7 +248,7 @@ NB_MODULE(_native, module) {
             nb::arg("target"), nb::arg("path"), nb::arg("value").none(), nb::arg("mode"));
 
     module.def("connect", &connect_python, nb::kw_only(), nb::arg("address"), nb::arg("token"), nb::arg("lease_ms"),
-        nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+        nb::arg("deadline_ms"), nb::arg("timeout_ms"), nb::arg("channel"), nb::arg("spin"));
     module.def("launch", &launch_python, nb::kw_only(), nb::arg("scene"), nb::arg("executable"), nb::arg("arguments"),
         nb::arg("fps"), nb::arg("fixed_dt"), nb::arg("address"), nb::arg("paused"), nb::arg("log_file"),
         nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));

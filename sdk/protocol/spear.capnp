@@ -61,6 +61,16 @@ interface Session {
 
   close @3 () -> ();
   # Ends the session in good order. Dropping the connection does the same.
+
+  offerChannel @4 () -> (name :Text);
+  # Before the first submit: makes a region of shared memory (docs/protocol.md, "The channel"). Empty: there is none to be had.
+
+  openChannel @5 (nonce :Data, spin :Bool) -> (opened :Bool);
+  # The nonce that the client has read in the region. The right one proves that both see the same memory; then submit is over
+  # and batches and answers travel there. Any other answer takes the offer back.
+
+  ended @6 () -> ();
+  # Fails when the session ends, with the reason: how a client that submits nothing here hears of it. Never returns.
 }
 
 enum Block {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "spear/operation.hpp"
 
+#include <new>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "session_impl.hpp"
@@ -9,7 +12,7 @@ namespace spear {
 namespace {
 
 /// Buffers of builders that are gone: an operation costs no allocation once a thread has warmed up.
-thread_local std::vector<std::vector<std::byte>> spare_buffers;
+thread_local std::vector<ByteBuffer> spare_buffers;
 constexpr std::size_t largest_spare_buffer = 1u << 20;
 
 [[noreturn]] void throw_invalid_future(std::string_view what) {
@@ -19,6 +22,69 @@ constexpr std::size_t largest_spare_buffer = 1u << 20;
 }
 
 } // namespace
+
+namespace detail {
+namespace {
+
+/// Memory of operation states that are gone, kept by the thread that freed them.
+class SpareMemory {
+public:
+    ~SpareMemory() {
+        is_gone = true;
+        while (void* const block = take())
+            ::operator delete(block);
+    }
+    void* take() {
+        if (!first_)
+            return nullptr;
+        Block* const block = std::exchange(first_, first_->next);
+        --count_;
+        return block;
+    }
+    bool put(void* memory) {
+        if (count_ == most)
+            return false;
+        first_ = new (memory) Block{first_};
+        ++count_;
+        return true;
+    }
+    static inline thread_local bool is_gone = false; // a future may outlive the thread's locals
+
+private:
+    struct Block {
+        Block* next;
+    };
+    static constexpr std::size_t most = 8192;
+    Block* first_ = nullptr;
+    std::size_t count_ = 0;
+};
+thread_local SpareMemory spare_memory;
+
+/// Serves one type only: that of std::allocate_shared's block for an OperationState.
+template <typename T>
+struct StateAllocator {
+    using value_type = T;
+    StateAllocator() = default;
+    template <typename U>
+    StateAllocator(const StateAllocator<U>&) {}
+    T* allocate(std::size_t count) {
+        void* const memory = count == 1 && !SpareMemory::is_gone ? spare_memory.take() : nullptr;
+        return static_cast<T*>(memory ? memory : ::operator new(count * sizeof(T)));
+    }
+    void deallocate(T* memory, std::size_t count) noexcept {
+        if (count != 1 || SpareMemory::is_gone || !spare_memory.put(memory))
+            ::operator delete(memory);
+    }
+    friend bool operator==(const StateAllocator&, const StateAllocator&) { return true; }
+};
+
+} // namespace
+
+std::shared_ptr<OperationState> make_operation_state() {
+    return std::allocate_shared<OperationState>(StateAllocator<OperationState>());
+}
+
+} // namespace detail
 
 // OperationHandle
 
@@ -48,8 +114,11 @@ bool OperationHandle::is_ready() const noexcept {
         return false;
     if (state_->is_done())
         return true;
-    if (state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late) {
+    const auto stage = state_->stage.load(std::memory_order_relaxed);
+    if (stage == OperationState::Stage::late ||
+        (stage == OperationState::Stage::sent && session_->impl_->has_channel)) {
         const std::lock_guard lock(session_->impl_->mutex);
+        session_->impl_->take_answers();
         if (state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late &&
             !session_->impl_->is_held_by_this_thread()) {
             session_->impl_->ask_for_late(state_);
@@ -136,8 +205,10 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
                                         : ", or in an end_frame block"),
             name());
     }
-    OperationBatch own;
-    OperationBatch& batch = in_block ? block : own;
+    if (!in_block) {
+        single.clear();
+    }
+    OperationBatch& batch = in_block ? block : single;
     constexpr std::size_t envelope = 64u << 10; // announcements and the message's own words
     if (batch.operations.buffer.size() + builder.encoder_.buffer.size() + OperationHeader::size + envelope >
         limits::max_message_bytes) {
@@ -171,7 +242,7 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
 
     std::shared_ptr<OperationState> state;
     if (mode != CallMode::send || !builder.futures_.empty()) {
-        state = std::make_shared<OperationState>();
+        state = detail::make_operation_state();
         state->number = number;
         state->entry_point = builder.entry_point_;
         state->shape = builder.shape_;
@@ -187,7 +258,7 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
         batch.states.push_back(state);
     }
     if (!in_block) {
-        submit(std::move(own), false);
+        submit(single, false);
     }
     return state;
 }

@@ -86,7 +86,9 @@ std::shared_ptr<Session> Session::connect(const SessionOptions& options) {
     wire.max_message_bytes = limits::max_message_bytes;
     wire.entry_points = signatures.data();
     wire.entry_point_count = signatures.size();
-    const spear_client_callbacks callbacks{impl.get(), &Impl::on_answers, &Impl::on_lost};
+    wire.no_channel = !options.channel;
+    wire.no_spin = !options.spin;
+    const spear_client_callbacks callbacks{impl.get(), &Impl::on_answers, &Impl::on_lost, &Impl::on_attend};
     spear_wire_error error{};
     spear_client* const client = spear_client_connect(&wire, &callbacks, &error);
     if (!client) {
@@ -97,6 +99,7 @@ std::shared_ptr<Session> Session::connect(const SessionOptions& options) {
     {
         const std::lock_guard lock(impl->mutex);
         impl->client = client;
+        impl->has_channel = spear_client_has_channel(client) != 0;
     }
     return std::shared_ptr<Session>(new Session(std::move(impl)));
 }
@@ -135,6 +138,7 @@ bool Session::is_open() const noexcept {
 
 std::uint64_t Session::id() const noexcept { return impl_->session_id; }
 const std::string& Session::address() const noexcept { return impl_->address; }
+bool Session::uses_channel() const noexcept { return impl_->has_channel; }
 Milliseconds Session::deadline() const noexcept { return impl_->deadline(); }
 void Session::set_deadline(Milliseconds deadline) noexcept { impl_->deadline_ms = deadline.count(); }
 
@@ -168,6 +172,7 @@ void Session::flush() { impl_->flush(); }
 
 std::vector<ErrorInfo> Session::take_failures() {
     const std::lock_guard lock(impl_->mutex);
+    impl_->take_answers();
     std::vector<ErrorInfo> taken;
     for (const Failure& failure : std::exchange(impl_->failures, {})) {
         taken.push_back(*failure.error);

@@ -18,8 +18,9 @@ std::string seconds(Milliseconds time) { return fmt::format("{:g} s", static_cas
 
 /// Sends one batch and returns its request number. The mutex is held, so announcements go out in the order of their
 /// numbers.
-std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool abort, bool single_step) {
-    const std::vector<std::byte> types = announcer.take_pending();
+/// The batch is empty afterwards.
+std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abort, bool single_step) {
+    const ByteBuffer types = announcer.take_pending();
     spear_batch wire{};
     wire.transaction = batch.transaction;
     wire.block = batch.block;
@@ -35,7 +36,6 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
     const std::uint64_t request = next_request++;
     const bool refused = spear_client_submit(client, request, &wire) != 0;
     releases.clear();
-    batch.operations = {};
     for (const auto& state : batch.states) {
         if (!state->is_done()) {
             state->stage.store(OperationState::Stage::sent, std::memory_order_release);
@@ -44,7 +44,14 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
     if (batch.block != SPEAR_BLOCK_NONE) {
         last_request[batch.block] = request;
     }
-    in_flight.emplace(request, std::move(batch));
+    if (spare) {
+        spare.key() = request;
+        std::swap(spare.mapped(), batch);
+        in_flight.insert(in_flight.end(), std::move(spare));
+        spare = {};
+    } else {
+        in_flight.emplace_hint(in_flight.end(), request, std::exchange(batch, {}));
+    }
     if (refused) {
         lose(
             {ErrorCode::Disconnected, fmt::format("The connection to the engine at {} is lost.", address), {}, {}, {}});
@@ -55,12 +62,11 @@ std::uint64_t Session::Impl::submit(OperationBatch&& batch, bool closes, bool ab
 
 /// Sends what the open block has recorded, and holds the game thread from now on.
 void Session::Impl::send_recorded() {
-    OperationBatch next;
-    next.transaction = block.transaction;
-    next.block = block.block;
-    std::swap(next, block);
+    const std::uint8_t kind = block.block;
     holds_game_thread = true;
-    submit(std::move(next), false);
+    submit(block, false);
+    block.transaction = transaction;
+    block.block = kind;
 }
 
 // Waiting
@@ -149,9 +155,47 @@ Session::Status Session::Impl::status(Lock& lock, Milliseconds timeout) {
         static_cast<Status::State>(wire.state), wire.frame, Milliseconds(wire.frames_age_ms), wire.holder, wire.detail};
 }
 
+void Session::Impl::wait_for_change(Lock& lock, Clock::time_point until) {
+    write_log(lock);
+    if (!has_channel || !client || lost || has_leader) {
+        ++followers;
+        changed.wait_until(lock, until);
+        --followers;
+        return;
+    }
+    using namespace std::chrono;
+    const auto left = duration_cast<microseconds>(until - Clock::now()).count();
+    const auto timeout = static_cast<std::uint32_t>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+    const std::uint32_t wakes = spear_client_wakes(client);
+    has_leader = true;
+    ++calls_outside;
+    lock.unlock();
+    spear_client_wait(client, wakes, timeout);
+    lock.lock();
+    has_leader = false;
+    --calls_outside;
+    take_answers();
+    if (followers != 0 || is_closed) {
+        changed.notify_all(); // somebody else leads now, or close() goes on
+    }
+}
+
+/// Waits until `done`, which is asked under the mutex. False at the deadline.
+template <typename F>
+bool Session::Impl::wait_until(Lock& lock, Clock::time_point until, F&& done) {
+    take_answers();
+    while (!done()) {
+        if (Clock::now() >= until) {
+            return false;
+        }
+        wait_for_change(lock, until);
+    }
+    return true;
+}
+
 void Session::Impl::wait_for_request(Lock& lock, std::uint64_t request, std::string_view what) {
     const Milliseconds limit = deadline();
-    if (!changed.wait_until(lock, Clock::now() + limit, [&] { return lost || !in_flight.contains(request); })) {
+    if (!wait_until(lock, Clock::now() + limit, [&] { return lost || !in_flight.contains(request); })) {
         throw_deadline(lock, limit, what);
     }
     require_open(lock, what);
@@ -174,7 +218,7 @@ void Session::Impl::ask_for_late(const std::shared_ptr<OperationState>& state) {
     end_operation(batch.operations, at);
     batch.states.push_back(std::move(asking));
     batch.count = 1;
-    submit(std::move(batch), false);
+    submit(batch, false);
 }
 
 /// False at the timeout. Raises NeedsFrames.
@@ -204,9 +248,10 @@ bool Session::Impl::wait_until_done(Lock& lock, const std::shared_ptr<OperationS
                 wake = std::min(until, state->ask_again_after);
             }
         }
-        const bool timed_out = changed.wait_until(lock, wake) == std::cv_status::timeout;
-        if (timed_out && Clock::now() >= until && !state->is_done()) {
-            return false;
+        wait_for_change(lock, wake);
+        if (!state->is_done() && Clock::now() >= until) {
+            take_answers();
+            return state->is_done();
         }
     }
     return true;
@@ -266,6 +311,7 @@ void Session::Impl::require_order(BlockKind kind) const {
 
 void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     const std::uint64_t request = last_request[static_cast<std::size_t>(kind)];
+    take_answers();
     if (request != 0 && in_flight.contains(request)) {
         wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
     }
@@ -290,7 +336,7 @@ void Session::Impl::open(BlockKind kind) {
         phase = Phase::end_open;
     }
     holds_game_thread = false;
-    block = {};
+    block.clear();
     block.transaction = transaction;
     block.block = static_cast<std::uint8_t>(kind);
 }
@@ -311,6 +357,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
             fmt::format("execute() was called on the {} block of another thread.", block_name(kind)),
             std::string(block_name(kind)));
     }
+    take_answers();
     const bool waits = holds_game_thread && block.fire_and_forget != 0;
     const bool is_begin = kind == BlockKind::begin;
     phase = is_begin ? Phase::between : Phase::idle;
@@ -318,7 +365,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
     if (!is_begin) {
         holds_single_step = single_step;
     }
-    const std::uint64_t request = submit(std::exchange(block, {}), true, false, single_step);
+    const std::uint64_t request = submit(block, true, false, single_step);
     try {
         if (waits) {
             wait_for_request(lock, request, fmt::format("The end of the {} block", block_name(kind)));
@@ -357,7 +404,7 @@ void Session::Impl::abandon() noexcept {
             batch.block = SPEAR_BLOCK_END;
         }
         batch.is_abandoned = true;
-        submit(std::move(batch), true, true);
+        submit(batch, true, true);
     } catch (const std::exception& exception) {
         log_message(LogLevel::error, std::string("a transaction could not be closed: ") + exception.what());
     }
@@ -378,7 +425,7 @@ void Session::Impl::flush() {
     };
     const std::uint64_t last = next_request;
     const Milliseconds limit = deadline();
-    const bool done = changed.wait_until(lock, Clock::now() + limit,
+    const bool done = wait_until(lock, Clock::now() + limit,
         [&] { return lost || !std::any_of(in_flight.begin(), in_flight.lower_bound(last), is_part); });
     if (!done) {
         throw_deadline(lock, limit, "flush");

@@ -56,6 +56,9 @@ struct OperationState {
     bool is_done() const noexcept { return stage.load(std::memory_order_acquire) == Stage::done; }
 };
 
+/// Makes one in memory that this thread has freed before, where there is some: operations come and go by the thousand.
+std::shared_ptr<OperationState> make_operation_state();
+
 } // namespace detail
 
 using detail::OperationState;
@@ -71,6 +74,21 @@ struct OperationBatch {
     std::uint64_t transaction = 0;
     std::uint8_t block = SPEAR_BLOCK_NONE;
     bool is_abandoned = false; ///< failures are logged
+
+    /// As new, but with its memory.
+    void clear() {
+        constexpr std::size_t largest_kept = 1u << 20;
+        if (operations.buffer.capacity() > largest_kept) {
+            operations = {};
+        }
+        operations.buffer.clear();
+        states.clear();
+        arguments.clear();
+        count = fire_and_forget = 0;
+        transaction = 0;
+        block = SPEAR_BLOCK_NONE;
+        is_abandoned = false;
+    }
 };
 
 /// A failure that nobody was told yet.
@@ -96,6 +114,7 @@ struct Session::Impl {
     // Constant after connect.
     std::string address;
     std::uint64_t session_id = 0;
+    bool has_channel = false;
     std::atomic<Milliseconds::rep> deadline_ms{limits::default_deadline_ms};
 
     mutable std::mutex mutex;
@@ -106,6 +125,12 @@ struct Session::Impl {
     int calls_outside = 0; // of spear_client_status, without the mutex
     LossExplainer loss_explainer;
 
+    // With a channel, answers are taken under the mutex; one of the waiting threads, the leader, waits for them at the
+    // channel (without the mutex), the others at `changed`.
+    bool has_leader = false;
+    int followers = 0;
+    std::vector<std::string> log; // failures to be logged, without the mutex
+
     TypeAnnouncer announcer{types::first_client_type};
     TypeTable server_types{types::first_server_type}; // I/O thread adds under the mutex; read without it
     std::unordered_map<std::string, TypeId> shapes;
@@ -113,7 +138,10 @@ struct Session::Impl {
     std::uint64_t next_operation = 1;
     std::uint64_t next_request = 1;
     std::uint64_t next_transaction = 1;
-    std::map<std::uint64_t, OperationBatch> in_flight; // by request
+    using InFlight = std::map<std::uint64_t, OperationBatch>;
+    InFlight in_flight;        // by request
+    InFlight::node_type spare; // the last one answered, with its memory
+    OperationBatch single;     // for an operation outside of blocks, while it is recorded
     std::unordered_map<std::uint64_t, std::shared_ptr<OperationState>> late;
     std::vector<std::uint64_t> releases;
     std::vector<Failure> failures;
@@ -135,25 +163,32 @@ struct Session::Impl {
         return is_owner() && (holds_game_thread || phase == Phase::between || holds_single_step);
     }
 
-    // session_answers.cpp: the I/O thread
+    // session_answers.cpp. The first three are the I/O thread's; the others want the mutex.
     static void on_answers(void* user, std::uint64_t request, const spear_answers* answers);
     static void on_lost(void* user, const spear_wire_error* error);
+    static void on_attend(void* user);
+    void take_answers();
+    void write_log(Lock& lock);
     void receive(std::uint64_t request, const spear_answers& answers);
-    void finish_batch(OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message,
-        std::uint64_t frame, std::vector<std::string>& log);
-    void finish_failed_batch(OperationBatch& batch, ErrorInfo error, std::vector<std::string>& log);
+    void finish_batch(
+        OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message, std::uint64_t frame);
+    void finish_failed_batch(OperationBatch& batch, ErrorInfo error);
     void finish(OperationBatch& batch, const std::shared_ptr<OperationState>& state, RawResult result,
-        std::shared_ptr<const ErrorInfo> error, bool is_late, std::vector<std::string>& log);
-    void report_failure(OperationBatch& batch, Failure failure, std::vector<std::string>& log);
+        std::shared_ptr<const ErrorInfo> error, bool is_late);
+    void report_failure(OperationBatch& batch, Failure failure);
     void lose(ErrorInfo error);
     void drop_user(const std::shared_ptr<OperationState>& state);
 
     // session_blocks.cpp: sending and waiting
-    std::uint64_t submit(OperationBatch&& batch, bool closes, bool abort = false, bool single_step = false);
+    std::uint64_t submit(OperationBatch& batch, bool closes, bool abort = false, bool single_step = false);
     void send_recorded();
     void require_open(Lock& lock, std::string_view what) const;
     [[noreturn]] void throw_lost(Lock& lock, std::string_view what) const;
     [[noreturn]] void throw_deadline(Lock& lock, Milliseconds waited, std::string_view what);
+    /// Waits for something to change, at most until then. May return for no reason.
+    void wait_for_change(Lock& lock, Clock::time_point until);
+    template <typename F>
+    bool wait_until(Lock& lock, Clock::time_point until, F&& done);
     void wait_for_request(Lock& lock, std::uint64_t request, std::string_view what);
     void wait_for_kind(Lock& lock, BlockKind kind);
     bool wait_until_done(Lock& lock, const std::shared_ptr<OperationState>& state, Clock::time_point until);

@@ -5,9 +5,11 @@
 // its own, so that no test inherits another's open blocks.
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include <doctest/doctest.h>
@@ -71,6 +73,15 @@ struct Client {
 template <typename T>
 std::uint64_t frame_of(const spear::Future<T>& future) {
     return future.operation().get().frame;
+}
+
+/// Whether the engine has a network and shared memory of its own (run_apart).
+inline bool engine_is_apart() { return std::getenv("SPEAR_TEST_APART") != nullptr; }
+
+/// Whether sessions may use shared memory here: SPEAR_CHANNEL=off turns it off for whole runs of these tests.
+inline bool channel_is_on() {
+    const char* const setting = std::getenv("SPEAR_CHANNEL");
+    return !engine_is_apart() && (!setting || std::string_view(setting) != "off");
 }
 
 /// Starts this program again to be a client of the shared engine that dies or hangs: see main.cpp. Returns its process

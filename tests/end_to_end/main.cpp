@@ -25,6 +25,51 @@ std::unique_ptr<spear::Instance>& shared() {
 /// Holds the engine's game thread, says so by writing a byte to standard output, then dies or hangs as asked.
 int be_child(std::string_view what, const char* address) {
     spear::Instance instance = spear::connect(address, {.client_name = "the child", .lease = 500ms});
+    const auto say_ready = [] { [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, "!", 1); };
+    const spear::Game game = instance.game();
+    const auto hold = [&] { (void)game.find_actors_by_class("AActor"); }; // synchronous: holds the game thread
+    // Those that wait to be killed, see start_child in sdk_channel.cpp.
+    if (what == "kill: idle") {
+        say_ready();
+        ::pause();
+    } else if (what == "kill: in single_step") {
+        instance.step();
+        say_ready();
+        ::pause();
+    } else if (what == "kill: recording") {
+        auto frame = instance.begin_frame();
+        const auto future = game.async().find_actors_by_class("AActor");
+        say_ready();
+        ::pause();
+    } else if (what == "kill: calling") {
+        auto frame = instance.begin_frame();
+        hold();
+        say_ready();
+        for (;;)
+            hold();
+    } else if (what == "kill: calling in the end block") {
+        instance.begin_frame().execute();
+        auto frame = instance.end_frame();
+        hold();
+        say_ready();
+        for (;;)
+            hold();
+    } else if (what == "kill: flooding") {
+        for (bool first = true;; first = false) {
+            auto frame = instance.begin_frame();
+            for (int i = 0; i < 100; ++i)
+                game.send().find_actors_by_class("AActor");
+            frame.execute();
+            instance.end_frame().execute();
+            if (first)
+                say_ready();
+        }
+    } else if (what == "kill: sending much") {
+        const std::string text(8u << 20, 'x');
+        say_ready();
+        for (;;)
+            instance.call(spear::engine_service::ping, text);
+    }
     auto frame = instance.begin_frame();
     instance.call(
         spear::unreal_service::find_actors_by_class, nullptr, "AActor", ""); // synchronous: holds the game thread
@@ -42,10 +87,11 @@ int be_child(std::string_view what, const char* address) {
 } // namespace
 
 spear::LaunchOptions launch_options() {
+    const char* const other = std::getenv("SPEAR_TEST_ENGINE"); // see run_apart
     return {.fps = 200,
         .fixed_dt = fixed_dt,
         .seed = 1,
-        .executable = SPEAR_TEST_ENGINE,
+        .executable = other ? other : SPEAR_TEST_ENGINE,
         .arguments = {"--plugin-dir", SPEAR_TEST_PLUGINS},
         .connect_timeout = 60s,
         .deadline = 10s};

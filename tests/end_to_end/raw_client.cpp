@@ -71,7 +71,7 @@ RawClient::RawClient(const std::vector<std::string>& entry_points, std::uint32_t
     options.max_message_bytes = spear::limits::max_message_bytes;
     options.entry_points = pointers.data();
     options.entry_point_count = pointers.size();
-    const spear_client_callbacks callbacks{this, &on_answers, &on_lost};
+    const spear_client_callbacks callbacks{this, &on_answers, &on_lost, nullptr};
     client_ = spear_client_connect(&options, &callbacks, &connect_error_);
 }
 
@@ -102,7 +102,18 @@ std::uint64_t RawClient::submit(const Batch& batch) {
 
 std::optional<RawClient::Reply> RawClient::wait(std::uint64_t request, spear::Milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, timeout, [&] { return lost_ || replies_.count(request) != 0; });
+    const auto done = [&] { return lost_ || replies_.count(request) != 0; };
+    if (client_ && spear_client_has_channel(client_)) {
+        const auto ends = std::chrono::steady_clock::now() + timeout;
+        for (take(); !done() && std::chrono::steady_clock::now() < ends; take()) {
+            const std::uint32_t wakes = spear_client_wakes(client_);
+            lock.unlock();
+            spear_client_wait(client_, wakes, 10'000);
+            lock.lock();
+        }
+    } else {
+        changed_.wait_for(lock, timeout, done);
+    }
     const auto at = replies_.find(request);
     return at != replies_.end() ? std::optional(at->second) : std::nullopt;
 }
@@ -112,18 +123,32 @@ bool RawClient::lost() {
     return changed_.wait_for(lock, 5s, [&] { return lost_; });
 }
 
+void RawClient::take() {
+    std::uint64_t request = 0;
+    spear_answers answers{};
+    while (spear_client_take(client_, &request, &answers) == 1) {
+        add(request, answers);
+    }
+}
+
+void RawClient::add(std::uint64_t request, const spear_answers& answers) {
+    replies_[request] = {answers.has_error != 0, static_cast<spear::ErrorCode>(answers.error_code),
+        answers.error_message ? answers.error_message : "", copy(answers.types), copy(answers.answers), answers.frame};
+}
+
 void RawClient::on_answers(void* user, std::uint64_t request, const spear_answers* answers) {
     auto& self = *static_cast<RawClient*>(user);
     const std::lock_guard lock(self.mutex_);
-    self.replies_[request] = {answers->has_error != 0, static_cast<spear::ErrorCode>(answers->error_code),
-        answers->error_message ? answers->error_message : "", copy(answers->types), copy(answers->answers),
-        answers->frame};
+    self.add(request, *answers);
     self.changed_.notify_all();
 }
 
 void RawClient::on_lost(void* user, const spear_wire_error*) {
     auto& self = *static_cast<RawClient*>(user);
     const std::lock_guard lock(self.mutex_);
+    if (self.client_ && spear_client_has_channel(self.client_)) {
+        self.take();
+    }
     self.lost_ = true;
     self.changed_.notify_all();
 }

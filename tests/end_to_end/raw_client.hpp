@@ -67,6 +67,8 @@ public:
     }
 
 private:
+    void take(); ///< from the channel
+    void add(std::uint64_t request, const spear_answers& answers);
     static void on_answers(void* user, std::uint64_t request, const spear_answers* answers);
     static void on_lost(void* user, const spear_wire_error* error);
 

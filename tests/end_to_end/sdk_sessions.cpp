@@ -22,7 +22,8 @@ spear_wire_error connect_raw(const char* version, const std::vector<const char*>
     options.entry_points = entry_points.data();
     options.entry_point_count = entry_points.size();
     const spear_client_callbacks callbacks{
-        nullptr, [](void*, std::uint64_t, const spear_answers*) {}, [](void*, const spear_wire_error*) {}};
+        nullptr, [](void*, std::uint64_t, const spear_answers*) {}, [](void*, const spear_wire_error*) {},
+        nullptr};
     spear_wire_error error{};
     spear_client* client = spear_client_connect(&options, &callbacks, &error);
     CHECK(client == nullptr);

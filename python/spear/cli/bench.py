@@ -3,16 +3,47 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import platform
-import socket
-import threading
+import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import TracebackType
 from typing import Any
 
 import click
+
+import spear
+from spear.programs import build_directory, find_program
+
+BLOCK = 1000
+"""Operations of an asynchronous block."""
+
+# What each row is: (name, what it shows). Those of C++ are measured by the program spear-bench.
+CPP_ROWS = {
+    "floor": "raw Unix socket ping-pong, two processes",
+    "memory_spinning": "bare shared memory ping-pong, spinning",
+    "memory_sleeping": "bare shared memory ping-pong, futex",
+    "direct": "ProcessEvent by C++ in the engine, found by name",
+    "direct_bare": "ProcessEvent by C++ in the engine, kept function",
+    "cpp_sync": "C++ synchronous call",
+    "cpp_sync_no_spin": "C++ synchronous call, spinning off",
+    "cpp_sync_rpc": "C++ synchronous call by RPC",
+    "cpp_sync_read": "C++ synchronous property read",
+    "cpp_async": "C++ asynchronous calls, futures",
+    "cpp_send": "C++ asynchronous calls, fire and forget",
+    "cpp_async_rpc": "C++ asynchronous calls by RPC, futures",
+}
+PYTHON_ROWS = {
+    "python_sync": "Python synchronous call",
+    "python_sync_no_spin": "Python synchronous call, spinning off",
+    "python_sync_read": "Python synchronous property read",
+    "python_async": "Python asynchronous calls, futures",
+    "python_send": "Python asynchronous calls, fire and forget",
+}
 
 
 @click.group()
@@ -21,93 +52,126 @@ def bench() -> None:
 
 
 @bench.command()
-@click.option("--address", help="A running engine; one is started if this is not given.")
 @click.option("--rounds", default=20, show_default=True, help="How often each row is measured, interleaved.")
+@click.option("--row", "only", multiple=True, help="Only rows whose name contains this; may be given several times.")
 @click.option("--json", "as_json", is_flag=True, help="For programs.")
-def calls(address: str | None, rounds: int, as_json: bool) -> None:
-    """What calls cost from Python. The floor is a one-byte ping-pong between two threads over a Unix socket."""
-    import spear
+def calls(rounds: int, only: tuple[str, ...], as_json: bool) -> None:
+    """What a reflected call with a vector as argument and result costs, from C++ and from Python.
 
-    rows: dict[str, list[float]] = {}
+    Synchronous rows are single calls within an open block; asynchronous ones are blocks of 1000 calls, with the time of one call. "of floor" compares with a raw
+    ping-pong over a Unix socket between two processes in the same run; "of direct" with the same call made by C++ code inside the engine.
 
-    def measure(name: str, operations: int, work: Callable[[], None]) -> None:
-        started = time.perf_counter()
-        work()
-        rows.setdefault(name, []).append((time.perf_counter() - started) / operations * 1e6)
-
-    with spear.connect(address) if address else spear.launch(scene="apartment", fps=0) as instance:
-        game = instance.get_game()
-        with instance.begin_frame():
-            actor = game.spawn_actor("ACoordinateAxes")
-        with instance.end_frame():
-            pass
-        vector = spear.FVector(1, 2, 3)
-
-        def synchronous() -> None:
-            for _ in range(100):
-                actor.K2_GetActorLocation()
-
-        def asynchronous() -> None:
-            call = actor.async_
-            futures = [call.K2_GetActorLocation() for _ in range(1000)]
-            futures[-1].get()
-
-        with _Floor() as floor, click.progressbar(range(rounds), label="measuring", show_pos=True, hidden=as_json) as progress:
-            for _ in progress:
-                measure("floor: socket ping-pong", 100, floor.run)
-                measure("server thread: engine_service.ping", 100, lambda: _repeat(100, lambda: instance.call("engine_service.ping", "x")))
-                with instance.begin_frame():
-                    actor.K2_GetActorLocation()  # holds the frame, so that what follows measures calls and not frames
-                    measure("synchronous call, vector result", 100, synchronous)
-                    measure("synchronous call, vector argument", 100, lambda: _repeat(100, lambda: actor.SetActorScale3D(NewScale3D=vector)))
-                    measure("synchronous property read", 100, lambda: _repeat(100, actor.RootComponent.RelativeLocation.X.get))
-                    measure("asynchronous calls, 1000 in a block", 1000, asynchronous)
-                with instance.end_frame():
-                    pass
-    _report(rows, as_json)
+    \b
+    Examples:
+      spear bench calls
+      spear bench calls --rounds 5 --row floor --row sync
+      spear bench calls --json > calls.json
+    """
+    wanted = [name for name in (*CPP_ROWS, *PYTHON_ROWS) if name in ("floor", "direct") or not only or any(part in name for part in only)]
+    samples: dict[str, list[float]] = {name: [] for name in wanted}
+    load_before = os.getloadavg()
+    with _engine() as instance, _CppRows(instance.address) as cpp, click.progressbar(
+        [name for _ in range(rounds) for name in wanted], label="measuring", show_pos=True, hidden=as_json
+    ) as progress:
+        for name in progress:
+            samples[name] += cpp.measure(name) if name in CPP_ROWS else _measure_python(name, instance.address)
+    _report(samples, load_before, as_json)
 
 
-def _repeat(count: int, work: Callable[[], Any]) -> None:
-    for _ in range(count):
-        work()
+@contextlib.contextmanager
+def _engine() -> Iterator[spear.Instance]:
+    """An engine with the plugin that is called, and with nothing else to do."""
+    build = build_directory()
+    plugins = build / "bench_plugins" if build else Path("bench_plugins")
+    if not (plugins / "SpearBench").is_dir():
+        raise FileNotFoundError("The plugin SpearBench was not found. `spear bench` runs from a build tree: build SPEAR (tools/build), or set SPEAR_BUILD_DIR.")
+    with spear.launch(scene="", fps=0, arguments=["--plugin-dir", str(plugins)]) as instance:
+        yield instance
 
 
-class _Floor:
-    """A ping-pong partner over a Unix socket."""
+class _CppRows:
+    """The program spear-bench, asked for one row at a time."""
 
-    def __enter__(self) -> _Floor:
-        self._here, there = socket.socketpair()
-        threading.Thread(target=self._answer, args=(there,), daemon=True).start()
+    def __init__(self, address: str) -> None:
+        self._process = subprocess.Popen([find_program("spear-bench"), address], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+    def __enter__(self) -> _CppRows:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self._here.close()
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        assert self._process.stdin
+        self._process.stdin.close()
+        self._process.wait()
 
-    @staticmethod
-    def _answer(there: socket.socket) -> None:
-        with there:
-            while data := there.recv(1):
-                there.sendall(data)
+    def measure(self, row: str) -> list[float]:
+        assert self._process.stdin and self._process.stdout
+        self._process.stdin.write(row + "\n")
+        self._process.stdin.flush()
+        answer = self._process.stdout.readline()
+        if not answer.endswith("]}\n"):
+            raise click.ClickException(f"spear-bench gave no result for {row}; see above.")
+        result: list[float] = json.loads(answer)["us"]
+        return result
 
-    def run(self) -> None:
-        for _ in range(100):
-            self._here.sendall(b"x")
-            self._here.recv(1)
+
+def _measure_python(row: str, address: str) -> list[float]:
+    with spear.connect(address, spin="no_spin" not in row) as instance:
+        with instance.begin_frame():
+            target = instance.get_game().new_object("USpearBench")
+        with instance.end_frame():
+            pass
+        by = spear.FVector(1, 0, 0)
+        if row in ("python_async", "python_send"):
+            caller = target.async_ if row == "python_async" else target.send_
+            _run_blocks(instance, lambda: caller.Move(By=by))
+            started = time.perf_counter()
+            _run_blocks(instance, lambda: caller.Move(By=by))
+            return [(time.perf_counter() - started) * 1e6 / (10 * BLOCK)]
+        work: Callable[[], Any] = target.Place.X.get if row == "python_sync_read" else lambda: target.Move(By=by)
+        with instance.begin_frame():
+            times = []
+            for _ in range(250):
+                started = time.perf_counter()
+                work()
+                times.append((time.perf_counter() - started) * 1e6)
+        with instance.end_frame():
+            pass
+        return times[50:]
 
 
-def _report(rows: dict[str, list[float]], as_json: bool) -> None:
-    summary = {}
-    for name, values in rows.items():
+def _run_blocks(instance: spear.Instance, call: Callable[[], Any]) -> None:
+    for _ in range(10):
+        with instance.begin_frame():
+            kept = [call() for _ in range(BLOCK)]
+        with instance.end_frame():
+            pass
+        del kept
+    instance.flush()
+
+
+def _report(samples: dict[str, list[float]], load_before: tuple[float, float, float], as_json: bool) -> None:
+    rows: dict[str, dict[str, Any]] = {}
+    for name, values in samples.items():
         ordered = sorted(values)
-        summary[name] = {"median_us": ordered[len(ordered) // 2], "p99_us": ordered[min(len(ordered) - 1, int(len(ordered) * 0.99))]}
-    load = os.getloadavg()
-    machine: dict[str, object] = {"machine": platform.machine(), "system": platform.platform(), "cores": os.cpu_count(), "load": load, "python": platform.python_version()}
+        rows[name] = {
+            "what": CPP_ROWS.get(name) or PYTHON_ROWS[name], "samples": len(ordered),
+            "median_us": ordered[len(ordered) // 2], "p99_us": ordered[min(len(ordered) - 1, int(len(ordered) * 0.99))],
+        }
+    for row in rows.values():
+        row["of_floor"] = row["median_us"] / rows["floor"]["median_us"]
+        row["of_direct"] = row["median_us"] / rows["direct"]["median_us"]
+        row["per_second"] = 1e6 / row["median_us"]
+    machine = {
+        "machine": platform.machine(), "system": platform.platform(), "cores": os.cpu_count(), "cores_allowed": len(os.sched_getaffinity(0)),
+        "load_before": load_before, "load_after": os.getloadavg(), "python": platform.python_version(), "spear": spear.__version__,
+    }
     if as_json:
-        click.echo(json.dumps({"machine": machine, "rows": summary}, indent=2))
+        click.echo(json.dumps({"machine": machine, "rows": rows}, indent=2))
         return
-    width = max(map(len, summary))
-    floor = next(iter(summary.values()))["median_us"]
-    click.echo(f"{'':<{width}}  median us     p99 us   of floor")
-    for name, row in summary.items():
-        click.echo(f"{name:<{width}} {row['median_us']:>10.2f} {row['p99_us']:>10.2f} {row['median_us'] / floor:>10.2f}")
-    click.echo(f"{machine['cores']} cores, load {load[0]:.1f}, {machine['system']}, Python {machine['python']}")
+    width = max(len(str(row["what"])) for row in rows.values())
+    click.echo(f"{'':<{width}}  median us     p99 us   of floor  of direct       per second")
+    for row in rows.values():
+        click.echo(
+            f"{row['what']:<{width}} {row['median_us']:>10.3f} {row['p99_us']:>10.3f} {row['of_floor']:>10.3f} {row['of_direct']:>10.2f} {row['per_second']:>16,.0f}"
+        )
+    click.echo(f"{machine['cores']} cores, {machine['cores_allowed']} allowed, load {load_before[0]:.1f}, {machine['system']}, Python {machine['python']}")

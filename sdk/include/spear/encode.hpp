@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -89,25 +90,89 @@ struct TypeInfo {
     std::uint32_t weight = 1;         ///< values inside one value of the type, counted by the table (not sent)
 };
 
+/// Bytes that grow at the end, like a std::vector, but without writing zeros that are overwritten at once.
+class ByteBuffer {
+public:
+    ByteBuffer() = default;
+    ByteBuffer(const ByteBuffer& other) { append(other.data_, other.size_); }
+    ByteBuffer(ByteBuffer&& other) noexcept { swap(other); }
+    ByteBuffer& operator=(ByteBuffer other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~ByteBuffer() { ::operator delete(data_); }
+
+    std::byte* data() { return data_; }
+    const std::byte* data() const { return data_; }
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    bool empty() const { return size_ == 0; }
+    std::byte* begin() { return data_; }
+    std::byte* end() { return data_ + size_; }
+    const std::byte* begin() const { return data_; }
+    const std::byte* end() const { return data_ + size_; }
+    std::byte& operator[](std::size_t at) { return data_[at]; }
+    const std::byte& operator[](std::size_t at) const { return data_[at]; }
+
+    void clear() { size_ = 0; }
+    /// New bytes are of no particular value.
+    void resize(std::size_t size) {
+        if (size > capacity_) {
+            enlarge(size - size_);
+        }
+        size_ = size;
+    }
+    /// Room for so many more bytes, which the caller fills.
+    std::byte* extend(std::size_t size) {
+        if (size > capacity_ - size_) {
+            enlarge(size);
+        }
+        std::byte* const at = data_ + size_;
+        size_ += size;
+        return at;
+    }
+    void append(const void* data, std::size_t size) {
+        if (size != 0) {
+            std::memcpy(extend(size), data, size);
+        }
+    }
+    void swap(ByteBuffer& other) noexcept {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        std::swap(capacity_, other.capacity_);
+    }
+
+private:
+    void enlarge(std::size_t more) {
+        std::size_t capacity = capacity_ < 32 ? 64 : 2 * capacity_;
+        if (capacity < size_ + more) {
+            capacity = size_ + more;
+        }
+        auto* const larger = static_cast<std::byte*>(::operator new(capacity));
+        if (size_ != 0) {
+            std::memcpy(larger, data_, size_);
+        }
+        ::operator delete(data_);
+        data_ = larger;
+        capacity_ = capacity;
+    }
+
+    std::byte* data_ = nullptr;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
 /// Appends to a byte buffer that it owns. Never fails.
 class Encoder {
 public:
-    std::vector<std::byte> buffer;
+    ByteBuffer buffer;
 
     template <typename T>
         requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void put(T value) {
-        const std::size_t at = buffer.size();
-        buffer.resize(at + sizeof(T));
-        std::memcpy(buffer.data() + at, &value, sizeof(T));
+        std::memcpy(buffer.extend(sizeof(T)), &value, sizeof(T));
     }
-    void put_raw(const void* data, std::size_t size) {
-        if (size != 0) {
-            const std::size_t at = buffer.size();
-            buffer.resize(at + size);
-            std::memcpy(buffer.data() + at, data, size);
-        }
-    }
+    void put_raw(const void* data, std::size_t size) { buffer.append(data, size); }
     void put_text(std::string_view text) { ///< string payload
         put(static_cast<std::uint32_t>(text.size()));
         put_raw(text.data(), text.size());
@@ -116,12 +181,12 @@ public:
     template <typename T>
     std::size_t reserve() {
         const std::size_t at = buffer.size();
-        buffer.resize(at + sizeof(T));
+        buffer.extend(sizeof(T));
         return at;
     }
     template <typename T>
     void patch(std::size_t at, T value) { std::memcpy(buffer.data() + at, &value, sizeof(T)); }
-    std::span<const std::byte> bytes() const { return buffer; }
+    std::span<const std::byte> bytes() const { return {buffer.data(), buffer.size()}; }
 };
 
 /// Reads bytes that nobody vouches for. After the first read past the end, or limit exceeded, `ok()` is false, every read gives
@@ -332,7 +397,7 @@ public:
         return at->second;
     }
     /// The announcements made since the last call: they go ahead of the next message.
-    std::vector<std::byte> take_pending() { return std::exchange(pending_.buffer, {}); }
+    ByteBuffer take_pending() { return std::exchange(pending_.buffer, {}); }
     bool has_pending() const { return !pending_.buffer.empty(); }
 
 private:

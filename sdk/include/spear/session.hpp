@@ -47,6 +47,12 @@ struct SessionOptions {
     Milliseconds connect_timeout{10'000};
     /// How long an operation may wait for its answer before it raises (HeldByClient, EngineBusy, ...).
     Milliseconds deadline{limits::default_deadline_ms};
+    /// Whether operations go through shared memory where client and engine share a machine (else, and elsewhere, by
+    /// RPC: the same semantics, slower). SPEAR_CHANNEL=off in the environment of either turns it off as well.
+    bool channel = true;
+    /// Whether waits may spin for some microseconds before they sleep, on both sides: faster, and it keeps a core busy.
+    /// Never on a single core. SPEAR_SPIN=off in the environment of either turns it off as well.
+    bool spin = true;
 };
 
 /// The two kinds of block of a transaction; numbers as on the wire.
@@ -105,6 +111,8 @@ public:
     /// The server's number of this session.
     std::uint64_t id() const noexcept;
     const std::string& address() const noexcept;
+    /// Whether operations go through shared memory.
+    bool uses_channel() const noexcept;
     Milliseconds deadline() const noexcept;
     void set_deadline(Milliseconds deadline) noexcept;
 

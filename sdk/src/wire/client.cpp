@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <csignal>
@@ -17,6 +18,7 @@
 #include <kj/debug.h>
 
 #include "address.hpp"
+#include "client_channel.hpp"
 #include "loop_queue.hpp"
 #include "spear.capnp.h"
 #include "spear/limits.hpp"
@@ -97,14 +99,17 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     std::size_t max_message_bytes = 0;
     std::vector<Text> entry_points;
     spear_client_callbacks callbacks{};
+    bool wants_channel = true;
+    bool spins = true;
+    std::unique_ptr<ClientChannel> channel; // set before `started`, constant afterwards
 
     std::mutex mutex;
     std::condition_variable changed;
-    bool started = false;         // under mutex: connected, or failed
-    bool connected = false;       // under mutex
-    spear_wire_error failure{};   // under mutex: why it did not connect
-    LoopQueue* queue = nullptr;   // under mutex; null before and after the session
-    std::uint64_t session_id = 0; // written before `started`
+    bool started = false;               // under mutex: connected, or failed
+    std::atomic<bool> connected{false}; // changed under mutex
+    spear_wire_error failure{};         // under mutex: why it did not connect
+    LoopQueue* queue = nullptr;         // under mutex; null before and after the session
+    std::uint64_t session_id = 0;       // written before `started`
     std::thread thread;
 
     // I/O thread only.
@@ -113,7 +118,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     kj::Own<kj::PromiseFulfiller<void>> finish;
     kj::TaskSet* tasks = nullptr;
     std::uint32_t lease_ms = 0;
-    bool ended = false; // `lost` was told, or the session was closed
+    bool ended = false;   // `lost` was told, or the session was closed
+    bool flushes = false; // a flush() of the channel is due
 
     bool post(std::function<void()> work) {
         const std::lock_guard lock(mutex);
@@ -134,6 +140,9 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         fill_error(&error, ErrorCode::Disconnected,
             "The connection to the engine at " + address.text() + " was lost: " + reason);
         callbacks.lost(callbacks.user, &error);
+        if (channel) {
+            channel->wake();
+        }
     }
 
     void report_start(ErrorCode code, const Text& message) {
@@ -167,6 +176,47 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         lease_ms = welcome.getLeaseMs();
         session = response.getSession();
         return true;
+    }
+
+    /// Asks for the shared memory channel. Without one, everything goes by RPC.
+    void open_channel(kj::AsyncIoContext& context, kj::TimePoint deadline) {
+        if (!wants_channel) {
+            return;
+        }
+        auto& timer = context.provider->getTimer();
+        auto offer = timer.timeoutAt(deadline, live_session().offerChannelRequest().send()).wait(context.waitScope);
+        if (offer.getName().size() == 0) {
+            return;
+        }
+        std::string why;
+        auto region = ChannelRegion::open(offer.getName().cStr(), why); // not to be found on another machine
+        auto request = live_session().openChannelRequest();
+        if (region) {
+            request.setNonce(capnp::Data::Reader(region->nonce(), channel_nonce_bytes));
+        }
+        request.setSpin(spins);
+        if (timer.timeoutAt(deadline, request.send()).wait(context.waitScope).getOpened()) {
+            channel = std::make_unique<ClientChannel>(std::move(region), max_message_bytes, spins);
+        }
+    }
+
+    kj::Promise<void> attend() {
+        const auto pause = channel->more_is_coming() ? 1 * kj::MILLISECONDS : 100 * kj::MILLISECONDS;
+        return io->provider->getTimer().afterDelay(pause).then([this] {
+            if (callbacks.attend && !ended) {
+                callbacks.attend(callbacks.user);
+            }
+            return attend();
+        });
+    }
+
+    /// What found no room in the ring goes as the engine makes room.
+    void flush_channel() {
+        if (ended || channel->flush()) {
+            flushes = false;
+            return;
+        }
+        tasks->add(io->provider->getTimer().afterDelay(200 * kj::MICROSECONDS).then([this] { flush_channel(); }));
     }
 
     protocol::Session::Client& live_session() { return KJ_REQUIRE_NONNULL(session); }
@@ -228,6 +278,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             if (!greet(context, *connection, deadline)) {
                 return;
             }
+            open_channel(context, deadline);
             serve(context, *connection);
         } catch (const kj::Exception& exception) {
             const bool timed_out = exception.getType() == kj::Exception::Type::OVERLOADED;
@@ -260,6 +311,10 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             if (lease_ms != SPEAR_LEASE_OFF) {
                 own_tasks.add(renew());
             }
+            if (channel) {
+                own_tasks.add(attend());
+                own_tasks.add(live_session().endedRequest().send().ignoreResult());
+            }
             {
                 const std::lock_guard lock(mutex);
                 queue = &own_queue;
@@ -291,6 +346,8 @@ extern "C" spear_client* spear_client_connect(
         client->max_message_bytes = options->max_message_bytes ? options->max_message_bytes : limits::max_message_bytes;
         client->entry_points.assign(options->entry_points, options->entry_points + options->entry_point_count);
         client->callbacks = *callbacks;
+        client->wants_channel = !options->no_channel && setting_is_on("SPEAR_CHANNEL");
+        client->spins = !options->no_spin && setting_is_on("SPEAR_SPIN");
         client->thread = std::thread([raw = client.get()] { raw->run(); });
         bool stands = false;
         {
@@ -313,8 +370,41 @@ extern "C" spear_client* spear_client_connect(
 
 extern "C" uint64_t spear_client_session(const spear_client* client) { return client->session_id; }
 
+extern "C" int spear_client_has_channel(const spear_client* client) { return client->channel != nullptr; }
+extern "C" int spear_client_take(spear_client* client, uint64_t* request, spear_answers* answers) {
+    try {
+        return client->channel->take(*request, *answers);
+    } catch (const std::exception&) { // no memory
+        return -1;
+    }
+}
+extern "C" void spear_client_wait(spear_client* client, uint32_t wakes, uint32_t timeout_us) {
+    client->channel->wait(wakes, timeout_us);
+}
+extern "C" uint32_t spear_client_wakes(const spear_client* client) {
+    return client->channel ? client->channel->wakes() : 0;
+}
+extern "C" void spear_client_wake(spear_client* client) {
+    if (client->channel) {
+        client->channel->wake();
+    }
+}
+
 extern "C" int spear_client_submit(spear_client* client, uint64_t request, const spear_batch* batch) {
     try {
+        if (client->channel) {
+            if (!client->connected) {
+                return 1;
+            }
+            if (client->channel->submit(request, *batch)) {
+                client->post([client] {
+                    if (!std::exchange(client->flushes, true)) {
+                        client->flush_channel();
+                    }
+                });
+            }
+            return 0;
+        }
         auto copy = std::make_shared<Batch>();
         copy->request = request;
         copy->head = *batch;

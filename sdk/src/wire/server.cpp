@@ -20,6 +20,7 @@
 #include "address.hpp"
 #include "loop_queue.hpp"
 #include "registry.hpp"
+#include "server_channels.hpp"
 #include "spear.capnp.h"
 #include "spear/limits.hpp"
 #include "spear_wire.h"
@@ -63,6 +64,9 @@ struct SessionState {
     std::uint32_t lease_ms = 0;
     kj::TimePoint last_sign = kj::origin<kj::TimePoint>();
     std::unordered_map<std::uint64_t, Pending> pending; // by request
+    std::shared_ptr<ServerChannel> offered;             // until the client has answered
+    bool has_channel = false;
+    std::vector<kj::Own<kj::PromiseFulfiller<void>>> told_of_end;
 };
 
 /// The capability that a client holds. It may outlive its session: then every call fails.
@@ -75,6 +79,9 @@ public:
     kj::Promise<void> renew(RenewContext context) override;
     kj::Promise<void> status(StatusContext context) override;
     kj::Promise<void> close(CloseContext context) override;
+    kj::Promise<void> offerChannel(OfferChannelContext context) override;
+    kj::Promise<void> openChannel(OpenChannelContext context) override;
+    kj::Promise<void> ended(EndedContext context) override;
 
 private:
     ServerLoop& loop_;
@@ -100,14 +107,15 @@ struct Options {
     std::uint32_t default_lease_ms;
     std::size_t max_message_bytes;
     std::size_t max_sessions;
+    bool channel;
 };
 
 /// Everything that lives on the server thread.
 class ServerLoop : private kj::TaskSet::ErrorHandler {
 public:
     ServerLoop(kj::AsyncIoContext& io, LoopQueue& queue, const Options& options,
-        const spear_server_callbacks& callbacks, int listener)
-        : io_(io), options_(options), callbacks_(callbacks), tasks_(*this),
+        const spear_server_callbacks& callbacks, ServerChannels& channels, int listener)
+        : io_(io), options_(options), callbacks_(callbacks), channels_(channels), tasks_(*this),
           listener_(io.lowLevelProvider->wrapListenSocketFd(
               listener, kj::LowLevelAsyncIoProvider::TAKE_OWNERSHIP | kj::LowLevelAsyncIoProvider::ALREADY_CLOEXEC |
                             kj::LowLevelAsyncIoProvider::ALREADY_NONBLOCK)) {
@@ -136,6 +144,9 @@ public:
     void reply(std::uint64_t id, std::uint64_t request, const Reply& reply);
     void end_session(std::uint64_t id, const char* reason);
     bool has_session(std::uint64_t id) const { return sessions_.count(id) != 0; }
+    std::string offer_channel(std::uint64_t id);
+    bool open_channel(std::uint64_t id, capnp::Data::Reader nonce, bool client_spins);
+    kj::Promise<void> ended(std::uint64_t id);
 
 private:
     struct Connection {
@@ -161,6 +172,7 @@ private:
     kj::AsyncIoContext& io_;
     const Options& options_;
     const spear_server_callbacks& callbacks_;
+    ServerChannels& channels_;
     std::uint64_t next_connection_ = 1;
     std::uint64_t next_session_ = 1;
     std::uint64_t next_request_ = 1;
@@ -261,6 +273,7 @@ void ServerLoop::connect(std::uint64_t connection, ConnectContext context) {
     state.connection = connection;
     state.lease_ms = lease;
     state.last_sign = io_.provider->getTimer().now();
+    channels_.set_session_count(sessions_.size());
     if (lease != SPEAR_LEASE_OFF) {
         tasks_.add(watch_lease(id));
     }
@@ -288,6 +301,8 @@ kj::Promise<void> ServerLoop::watch_lease(std::uint64_t id) {
 kj::Promise<void> ServerLoop::submit(std::uint64_t id, SessionState::SubmitContext context) {
     SessionState& state = session(id);
     sign_of_life(id);
+    KJ_REQUIRE(!state.has_channel, "this session submits through its shared memory channel");
+    state.offered.reset();
     const auto batch = context.getParams().getBatch();
     std::vector<std::uint64_t> releases;
     for (const std::uint64_t number : batch.getReleases()) {
@@ -363,10 +378,46 @@ void ServerLoop::end_session(std::uint64_t id, const char* reason) {
     if (node.empty()) {
         return;
     }
+    channels_.set_session_count(sessions_.size());
+    if (node.mapped().has_channel) {
+        channels_.remove(id);
+    }
     for (auto& [request, pending] : node.mapped().pending) {
         pending.done->reject(KJ_EXCEPTION(DISCONNECTED, "the session has ended", reason));
     }
+    for (auto& told : node.mapped().told_of_end) {
+        told->reject(KJ_EXCEPTION(DISCONNECTED, "the session has ended", reason));
+    }
     callbacks_.disconnect(callbacks_.user, id, reason);
+}
+
+std::string ServerLoop::offer_channel(std::uint64_t id) {
+    SessionState& state = session(id);
+    if (!options_.channel || state.has_channel || !state.pending.empty()) {
+        return {};
+    }
+    std::string why;
+    state.offered = channels_.offer(id, options_.max_message_bytes, why);
+    return state.offered ? state.offered->name() : std::string();
+}
+
+bool ServerLoop::open_channel(std::uint64_t id, capnp::Data::Reader nonce, bool client_spins) {
+    SessionState& state = session(id);
+    const std::shared_ptr<ServerChannel> offered = std::move(state.offered);
+    if (!offered || !state.pending.empty() || !offered->confirm(nonce.begin(), nonce.size(), client_spins)) {
+        return false;
+    }
+    state.has_channel = true;
+    channels_.add(offered);
+    return true;
+}
+
+kj::Promise<void> ServerLoop::ended(std::uint64_t id) {
+    auto told = kj::newPromiseAndFulfiller<void>();
+    auto& waiting = session(id).told_of_end;
+    KJ_REQUIRE(waiting.size() < 4, "asked too often");
+    waiting.push_back(kj::mv(told.fulfiller));
+    return kj::mv(told.promise);
 }
 
 SessionServer::~SessionServer() noexcept(false) {
@@ -388,6 +439,17 @@ kj::Promise<void> SessionServer::close(CloseContext) {
     loop_.end_session(id_, "the client closed it");
     return kj::READY_NOW;
 }
+kj::Promise<void> SessionServer::offerChannel(OfferChannelContext context) {
+    const std::string name = loop_.offer_channel(id_);
+    context.getResults().setName(name);
+    return kj::READY_NOW;
+}
+kj::Promise<void> SessionServer::openChannel(OpenChannelContext context) {
+    const auto params = context.getParams();
+    context.getResults().setOpened(loop_.open_channel(id_, params.getNonce(), params.getSpin()));
+    return kj::READY_NOW;
+}
+kj::Promise<void> SessionServer::ended(EndedContext) { return loop_.ended(id_); }
 kj::Promise<void> GatewayServer::connect(ConnectContext context) {
     loop_.connect(connection_, context);
     return kj::READY_NOW;
@@ -415,6 +477,11 @@ struct spear_server {
     Text failure;               // under mutex: why the loop never ran
     LoopQueue* queue = nullptr; // set before `running`, cleared by the server thread under mutex
     ServerLoop* loop = nullptr; // server thread
+    ServerChannels channels{
+        ChannelEvents{[this](std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
+                          callbacks.submit(callbacks.user, session, request, &batch);
+                      },
+            [this](std::uint64_t session, const char* reason) { spear_server_drop(this, session, reason); }}};
     std::thread thread;
 
     void run() {
@@ -428,7 +495,7 @@ struct spear_server {
             auto io = kj::setupAsyncIo();
             LoopQueue own_queue(*io.lowLevelProvider);
             {
-                ServerLoop own_loop(io, own_queue, options, callbacks, listener);
+                ServerLoop own_loop(io, own_queue, options, callbacks, channels, listener);
                 loop = &own_loop;
                 {
                     const std::lock_guard lock(mutex);
@@ -474,6 +541,7 @@ extern "C" spear_server* spear_server_start(
         own.default_lease_ms = options->default_lease_ms ? options->default_lease_ms : limits::default_lease_ms;
         own.max_message_bytes = options->max_message_bytes ? options->max_message_bytes : limits::max_message_bytes;
         own.max_sessions = options->max_sessions ? options->max_sessions : limits::max_sessions;
+        own.channel = !options->no_channel && setting_is_on("SPEAR_CHANNEL");
         if (!own.address.is_local() && own.token.empty()) {
             fill_error(error, ErrorCode::Unauthorized,
                 own.address.text() + " can be reached from other machines, so it needs a token: give one, or use a "
@@ -485,6 +553,7 @@ extern "C" spear_server* spear_server_start(
             return nullptr;
         }
         server->address = own.address.text();
+        ChannelRegion::remove_leftovers();
         server->thread = std::thread([raw = server.get()] { raw->run(); });
         {
             std::unique_lock lock(server->mutex);
@@ -511,6 +580,9 @@ extern "C" const char* spear_server_address(const spear_server* server) { return
 extern "C" void spear_server_reply(
     spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers) {
     try {
+        if (server->channels.reply(session, request, *answers)) {
+            return;
+        }
         auto reply = std::make_shared<Reply>();
         reply->types.assign(answers->types.data, answers->types.data + answers->types.size);
         reply->answers.assign(answers->answers.data, answers->answers.data + answers->answers.size);
@@ -537,6 +609,13 @@ extern "C" void spear_server_drop(spear_server* server, uint64_t session, const 
     } catch (...) { // no memory: the lease will end it
     }
 }
+
+extern "C" void spear_server_wait(spear_server* server, uint64_t session, uint32_t timeout_ms) {
+    server->channels.wait(session, timeout_ms);
+}
+extern "C" void spear_server_release(spear_server* server) { server->channels.release(); }
+extern "C" void spear_server_poll(spear_server* server) { server->channels.poll(); }
+extern "C" void spear_server_wake(spear_server* server) { server->channels.wake(); }
 
 extern "C" void spear_server_stop(spear_server* server) {
     if (!server) {

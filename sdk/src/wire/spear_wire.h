@@ -2,7 +2,7 @@
 #ifndef SPEAR_WIRE_H
 #define SPEAR_WIRE_H
 
-/* spear_wire: sessions over Cap'n Proto RPC, behind a C interface.
+/* spear_wire: sessions over Cap'n Proto RPC, operations on one machine through shared memory, behind a C interface.
  *
  * The one wire library, used by the SDK (client half) and by the plugin inside the engine (server half). It is built once, with
  * any compiler and standard library; nothing is thrown across, no C++ type crosses, only spear_* symbols are exported. Bytes in
@@ -79,7 +79,8 @@ typedef struct spear_description {
 } spear_description;
 
 /* Server half -----------------------------------------------------------------------------------------------------------
- * Callbacks run on the server thread, one at a time, and must not block. Pointers in their arguments are valid during the call. */
+ * Callbacks run on the server thread, one at a time, and must not block (`submit`: see there). Pointers in their arguments are valid
+ * during the call. */
 
 typedef struct spear_server spear_server;
 
@@ -98,7 +99,9 @@ typedef struct spear_server_callbacks {
     int (*connect)(void* user, const spear_hello* hello, spear_wire_error* error);
     /* The session is over (closed, connection lost, lease expired: the reason says which). No callback names it any more. */
     void (*disconnect)(void* user, uint64_t session, const char* reason);
-    /* A batch arrived; answer exactly once with spear_server_reply(server, session, request, ...), from any thread. */
+    /* A batch arrived; answer exactly once with spear_server_reply(server, session, request, ...), from any thread. The one callback
+     * that also runs on other threads (one at a time for each session): on the game thread in spear_server_wait and
+     * spear_server_poll, and on the watcher threads of shared memory channels. */
     void (*submit)(void* user, uint64_t session, uint64_t request, const spear_batch* batch);
     void (*status)(void* user, uint64_t session, spear_status* status);
     void (*describe)(void* user, spear_description* description);
@@ -112,6 +115,7 @@ typedef struct spear_server_options {
     uint32_t default_lease_ms;
     size_t max_message_bytes;
     size_t max_sessions;
+    uint8_t no_channel;             /* offer no shared memory channel, as with SPEAR_CHANNEL=off in the environment */
     const char* registry_directory; /* where running engines are listed (one small JSON file each, removed at stop); NULL: the default directory */
 } spear_server_options;
 
@@ -123,6 +127,16 @@ SPEAR_WIRE_API const char* spear_server_address(const spear_server* server);
 SPEAR_WIRE_API void spear_server_reply(spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers);
 /* Any thread. Ends a session; its disconnect callback follows. */
 SPEAR_WIRE_API void spear_server_drop(spear_server* server, uint64_t session, const char* reason);
+/* The game thread waits for a session (its open block, its next transaction), at most so long: until a batch of it has been given to
+ * `submit`, or spear_server_wake was called since the last wait returned. From its first call until spear_server_release, the game
+ * thread itself reads the session's channel. */
+SPEAR_WIRE_API void spear_server_wait(spear_server* server, uint64_t session, uint32_t timeout_ms);
+/* Game thread: the waiting is over; others read the channel again. */
+SPEAR_WIRE_API void spear_server_release(spear_server* server);
+/* Game thread, at the beginning and at the end of each frame: gives what has arrived in all channels to `submit`. */
+SPEAR_WIRE_API void spear_server_poll(spear_server* server);
+/* Any thread: ends a spear_server_wait, now or the next. */
+SPEAR_WIRE_API void spear_server_wake(spear_server* server);
 /* Not from a callback. Ends all sessions, joins the thread, removes the socket. No callback runs afterwards. */
 SPEAR_WIRE_API void spear_server_stop(spear_server* server);
 
@@ -141,15 +155,20 @@ typedef struct spear_client_options {
     size_t max_message_bytes;
     const char* const* entry_points;
     size_t entry_point_count;
+    uint8_t no_channel; /* use RPC also where shared memory could be had, as with SPEAR_CHANNEL=off in the environment */
+    uint8_t no_spin;    /* sleep at once in each wait, on both sides, as with SPEAR_SPIN=off in the environment */
 } spear_client_options;
 
 /* Callbacks run on the client's I/O thread, one at a time, and must not block. */
 typedef struct spear_client_callbacks {
     void* user;
-    /* The answers to the batch submitted under that number, in the order the server gave them. */
+    /* The answers to the batch submitted under that number, in the order the server gave them. Not with a channel:
+     * spear_client_take. */
     void (*answers)(void* user, uint64_t request, const spear_answers* answers);
     /* Once, when the session ends for any reason but spear_client_close. Answers not yet given never come. */
     void (*lost)(void* user, const spear_wire_error* error);
+    /* With a channel, about ten times a second: take answers that nobody waits for. May be NULL. */
+    void (*attend)(void* user);
 } spear_client_callbacks;
 
 /* Connects, starts the I/O thread (which also renews the lease), returns when the session stands. NULL with the error filled if not. */
@@ -157,6 +176,16 @@ SPEAR_WIRE_API spear_client* spear_client_connect(const spear_client_options* op
 SPEAR_WIRE_API uint64_t spear_client_session(const spear_client* client);
 /* Any thread, never blocks; copies the bytes. Batches arrive in call order. `request` is chosen by the caller. Nonzero if the session is over. */
 SPEAR_WIRE_API int spear_client_submit(spear_client* client, uint64_t request, const spear_batch* batch);
+/* Whether operations and answers travel through shared memory. Constant. */
+SPEAR_WIRE_API int spear_client_has_channel(const spear_client* client);
+/* With a channel; one thread at a time. The next answers, valid until the next call: 1. None there yet: 0. Not of this protocol: -1,
+ * the session is of no use any more. */
+SPEAR_WIRE_API int spear_client_take(spear_client* client, uint64_t* request, spear_answers* answers);
+/* With a channel; one thread at a time. Waits for something to take, at most so long, or until the number of wakes is not that one. */
+SPEAR_WIRE_API void spear_client_wait(spear_client* client, uint32_t wakes, uint32_t timeout_us);
+/* Any thread. The session's end wakes too. */
+SPEAR_WIRE_API uint32_t spear_client_wakes(const spear_client* client);
+SPEAR_WIRE_API void spear_client_wake(spear_client* client);
 /* Any thread but the I/O thread. Asks the server thread; nonzero with the error filled if no answer within the timeout. */
 SPEAR_WIRE_API int spear_client_status(spear_client* client, uint32_t timeout_ms, spear_status* status, spear_wire_error* error);
 /* Not from a callback. Closes the session in good order, joins the thread. No callback runs afterwards. */

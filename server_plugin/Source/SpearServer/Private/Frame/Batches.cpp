@@ -52,11 +52,12 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
 
     // A latent function completes into the kept result, so its place is made before it begins.
     const bool bPlaced = Operation.bKeepResult;
+    FKeptResult* Kept = nullptr;
     EOutcome Outcome = EOutcome::Failed;
     if (RunsOnOf(EntryPoint) == spear::RunsOn::game_thread && !bInBlock) {
         Operation.Error = MakeError(ErrorCode::NotInFrame,
             std::string(NameOf(EntryPoint)) + " runs within begin_frame and end_frame blocks only");
-    } else if (bPlaced && !Session->Keep(Header.number, {FKeptResult::Pending, {}, {}})) {
+    } else if (bPlaced && !(Kept = Session->Keep(Header.number))) {
         Operation.bKeepResult = false;
         Operation.Error = MakeError(ErrorCode::LimitExceeded,
             "the result cannot be kept: operation number " + std::to_string(Header.number) +
@@ -66,8 +67,6 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
         spear::Decoder In(Arguments);
         Outcome = GetHandler(EntryPoint)(Operation, In);
     }
-    FKeptResult* Kept = Operation.bKeepResult ? Session->FindKept(Header.number) : nullptr;
-
     if (Outcome == EOutcome::Done && Answers.buffer.size() > LargestReply) {
         const bool bAloneTooLarge = Answers.buffer.size() - Start > LargestReply;
         Outcome = EOutcome::Failed;
@@ -81,7 +80,7 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
         spear::end_answer(Answers, At);
         if (Kept) {
             Kept->State = FKeptResult::Succeeded;
-            Kept->Value.assign(Answers.buffer.begin() + static_cast<std::ptrdiff_t>(ValueAt), Answers.buffer.end());
+            Kept->Value.append(Answers.buffer.data() + ValueAt, Answers.buffer.size() - ValueAt);
         }
         if (!Operation.bWantsAnswer) {
             Answers.buffer.resize(Start);

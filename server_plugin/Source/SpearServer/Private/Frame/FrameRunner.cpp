@@ -11,9 +11,15 @@
 #include "Misc/CoreDelegates.h"
 #include "UObject/UObjectGlobals.h"
 
+#include "spear/limits.hpp"
+
 #include <algorithm>
 
 namespace SpearServer {
+
+namespace {
+constexpr const char* NoReason = "";
+} // namespace
 
 void FFrameRunner::Start(spear_server* InServer) {
     Server = InServer;
@@ -44,6 +50,7 @@ void FFrameRunner::OnBeginFrame() {
         return;
     }
     Inbox.NoteFrame(GFrameCounter);
+    spear_server_poll(Server);
     UpdateEngineFacts();
     InFrame.clear();
     RunFreeBatches();
@@ -69,19 +76,22 @@ void FFrameRunner::OnBeginFrame() {
             Holders.clear();
         }
     }
-    Inbox.SetHolder(0, "");
+    spear_server_release(Server);
+    SetHolder(0, NoReason);
 }
 
 void FFrameRunner::OnEndFrame() {
     if (bRunning) {
         return;
     }
+    spear_server_poll(Server);
     for (const uint64 Session : InFrame) {
         RunBlock(Session, EBlock::End);
         EndTransaction(Session);
     }
     InFrame.clear();
-    Inbox.SetHolder(0, "");
+    spear_server_release(Server);
+    SetHolder(0, NoReason);
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
@@ -121,8 +131,8 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
     if (IsEngineExitRequested()) {
         return false;
     }
-    Inbox.SetHolder(SessionId, Reason);
-    Inbox.WaitForArrival();
+    SetHolder(SessionId, Reason);
+    spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
     return true;
@@ -132,6 +142,12 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
 // -------------------------------------------------------------------------------------------------------------------
 
 void FFrameRunner::KeepHouse() {
+    SweepIfNeeded();
+    const uint64 Count = Inbox.GetNewsCount();
+    if (Count == SeenNews) {
+        return;
+    }
+    SeenNews = Count;
     FInboxNews News = Inbox.TakeNews();
     for (FSessionGreeting& Greeting : News.Joined) {
         const uint64 Id = Greeting.Id;
@@ -143,7 +159,6 @@ void FFrameRunner::KeepHouse() {
                          [Id](const FRunningBatch& One) { return One.Batch.Session == Id; }),
             Parked.end());
     }
-    SweepIfNeeded();
     for (const auto& [Id, Session] : Sessions) {
         ApplyNews(*Session);
     }
@@ -163,6 +178,10 @@ void FFrameRunner::ApplyNews(FSession& Session) {
 }
 
 void FFrameRunner::RunFreeBatches() {
+    if (!Inbox.HasFreeBatches() && Parked.empty()) {
+        KeepHouse();
+        return;
+    }
     // What has arrived is taken before announcements are applied, so that those of each batch are there when it runs.
     std::vector<FBatch> Arrived = Inbox.TakeFreeBatches();
     KeepHouse();
@@ -189,6 +208,14 @@ void FFrameRunner::RunFreeBatches() {
     }
 }
 
+void FFrameRunner::SetHolder(uint64 SessionId, const char* Reason) {
+    if (SessionId != Holder || Reason != HoldReason) {
+        Holder = SessionId;
+        HoldReason = Reason;
+        Inbox.SetHolder(SessionId, Reason);
+    }
+}
+
 void FFrameRunner::RunAndReply(FBatch Batch) {
     KeepHouse();
     FSession* Session = FindSession(Batch.Session);
@@ -205,7 +232,7 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
 }
 
 void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
-    std::vector<std::byte> Types;
+    spear::ByteBuffer Types;
     if (FSession* Session = FindSession(Batch.Session)) {
         Types = Session->TypeNumbers.TakePending();
     }

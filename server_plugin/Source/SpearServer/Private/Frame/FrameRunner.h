@@ -55,6 +55,7 @@ private:
     void Reply(const FBatch& Batch, const spear::Encoder& Answers);
     void ReplyError(const FBatch& Batch, const ErrorInfo& Error);
     void SweepIfNeeded();
+    void SetHolder(uint64 SessionId, const char* Reason);
 
     FInbox& Inbox;
     spear_server* Server = nullptr;
@@ -62,6 +63,9 @@ private:
     std::vector<FRunningBatch> Parked;
     std::vector<uint64> InFrame; ///< sessions whose transaction this frame carries, in order of arrival
     std::vector<uint64> Holders; ///< sessions that hold the engine by single_step, until their next begin block
+    uint64 SeenNews = 0;
+    uint64 Holder = 0;                ///< as the inbox was told last
+    const char* HoldReason = nullptr; ///< a literal
     bool bSweepNeeded = false;
     bool bRunning =
         false; ///< an operation is running: the delegates must not re-enter (a function may tick the engine)

@@ -67,18 +67,22 @@ void FInbox::Join(FSessionGreeting Greeting) {
     const std::lock_guard Lock(Mutex);
     Entries[Greeting.Id].Greeting = Greeting;
     News.Joined.push_back(std::move(Greeting));
+    ++NewsCount;
 }
 
 void FInbox::Leave(uint64 Session) {
     {
         const std::lock_guard Lock(Mutex);
-        if (Entries.erase(Session) == 0) {
+        const auto At = Entries.find(Session);
+        if (At == Entries.end()) {
             return;
         }
+        NumFreeBatches -= At->second.FreeBatches.size();
+        Entries.erase(At);
         News.Left.push_back(Session);
-        ++Arrivals;
+        ++NewsCount;
     }
-    Arrived.notify_one();
+    Wake();
 }
 
 FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batch& Message) {
@@ -102,8 +106,11 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
             return {FVerdict::Drop,
                 MakeError(ErrorCode::LimitExceeded, "the session has far too many bytes queued; it is ended")};
         }
-        Entry->Types.insert(Entry->Types.end(), Types.begin(), Types.end());
-        Entry->QueuedBytes += Beside;
+        if (Beside != 0) {
+            Entry->Types.insert(Entry->Types.end(), Types.begin(), Types.end());
+            Entry->QueuedBytes += Beside;
+            ++NewsCount;
+        }
 
         FBatch Batch;
         Batch.Session = Session;
@@ -134,6 +141,7 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
             Entry->LastSequence = Batch.Sequence;
             Entry->Outstanding.insert(Batch.Sequence);
             Entry->FreeBatches.push_back(std::move(Batch));
+            ++NumFreeBatches;
         }
         if (Message.release_count != 0) {
             Entry->Releases.push_back(
@@ -142,9 +150,8 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         if (Verdict.Kind != FVerdict::Queued) {
             return Verdict;
         }
-        ++Arrivals;
     }
-    Arrived.notify_one();
+    Wake();
     return Verdict;
 }
 
@@ -216,8 +223,7 @@ FInbox::FVerdict FInbox::SubmitToBlock(
     }
     if (TooMuch) {
         // The operations are refused, but a block that closes is closed: the frame must go on.
-        ++Arrivals;
-        Arrived.notify_one();
+        Wake();
         return {FVerdict::Refused, std::move(*TooMuch)};
     }
     Entry.LastSequence = Batch.Sequence;
@@ -293,6 +299,7 @@ std::vector<FBatch> FInbox::TakeFreeBatches() {
         }
         Entry.FreeBatches.clear();
     }
+    NumFreeBatches = 0;
     return Taken;
 }
 
@@ -347,6 +354,7 @@ void FInbox::NoteRun(const FBatch& Batch) {
     if (FEntry* Entry = Find(Batch.Session)) {
         Entry->QueuedBytes -= std::min(Batch.Operations.size(), Entry->QueuedBytes);
         Entry->Outstanding.erase(Batch.Sequence);
+        NewsCount += !Entry->Releases.empty(); // they may be ready now
     }
 }
 
@@ -356,19 +364,11 @@ std::string FInbox::ClientNameOf(uint64 Session) const {
     return Entry ? Entry->Greeting.ClientName : std::string();
 }
 
-void FInbox::WaitForArrival() {
-    std::unique_lock Lock(Mutex);
-    Arrived.wait_for(Lock, std::chrono::milliseconds(spear::limits::game_thread_wake_ms),
-        [this] { return Arrivals != SeenArrivals; });
-    SeenArrivals = Arrivals;
-}
-
-void FInbox::Wake() {
-    {
-        const std::lock_guard Lock(Mutex);
-        ++Arrivals;
+/// What arrived is in place.
+void FInbox::Wake() const {
+    if (spear_server* Server = Bell.load(std::memory_order_acquire)) {
+        spear_server_wake(Server);
     }
-    Arrived.notify_one();
 }
 
 void FInbox::SetHolder(uint64 Session, const char* Reason) {

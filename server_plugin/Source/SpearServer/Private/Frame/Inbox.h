@@ -2,7 +2,7 @@
 #pragma once
 
 // The meeting point of server thread and game thread: sessions, their queued batches, and who holds the engine. One
-// mutex, one condition variable; nothing in here knows an object. What arrives is checked in shape and order here, its
+// mutex; nothing in here knows an object. What arrives is checked in shape and order here, its
 // values later.
 
 #include "CoreMinimal.h"
@@ -14,7 +14,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -69,10 +68,13 @@ public:
 
     // Game thread
     // -----------------------------------------------------------------------------------------------------------
+    /// Rises when there is something for TakeNews or TakeSessionNews.
+    uint64 GetNewsCount() const { return NewsCount.load(std::memory_order_acquire); }
     FInboxNews TakeNews();
     FSessionNews TakeSessionNews(uint64 Session);
     /// All batches outside of blocks, in order of arrival within each session.
     std::vector<FBatch> TakeFreeBatches();
+    bool HasFreeBatches() const { return NumFreeBatches.load(std::memory_order_acquire) != 0; }
     /// The session whose waiting transaction arrived first: of those that Fits(session) accepts.
     template <typename F>
     std::optional<uint64> NextSessionToBegin(F&& Fits) const {
@@ -99,11 +101,8 @@ public:
     void NoteRun(const FBatch& Batch);
     std::string ClientNameOf(uint64 Session) const;
 
-    /// Waits until something arrives, at most as long as the game thread may sleep. Call again until the wish is
-    /// fulfilled.
-    void WaitForArrival();
-    /// Ends a WaitForArrival, from any thread.
-    void Wake();
+    /// Whom to wake when something arrives (spear_server_wake); null before and after.
+    void SetBell(spear_server* Server) { Bell.store(Server, std::memory_order_release); }
 
     /// Who holds the game thread now, and why (for status reports); 0: nobody.
     void SetHolder(uint64 Session, const char* Reason);
@@ -128,15 +127,16 @@ private:
         std::size_t QueuedBytes = 0;
     };
 
+    void Wake() const;
     FVerdict SubmitToBlock(FEntry& Entry, FBatch Batch, const spear_batch& Message, std::size_t Operations,
         std::optional<ErrorInfo> TooMuch);
     FEntry* Find(uint64 Session);
     const FEntry* Find(uint64 Session) const;
 
     mutable std::mutex Mutex;
-    std::condition_variable Arrived;
-    uint64 Arrivals = 0; ///< counts everything that may interest the game thread
-    uint64 SeenArrivals = 0;
+    std::atomic<uint64> NewsCount{0};           // rises under Mutex
+    std::atomic<std::size_t> NumFreeBatches{0}; // changes under Mutex
+    std::atomic<spear_server*> Bell{nullptr};
     uint64 LastTransactionArrival = 0;
     std::map<uint64, FEntry> Entries;
     FInboxNews News;

@@ -59,6 +59,7 @@ FStatus FServer::Start(const FServerOptions& Options) {
         return MakeError(static_cast<ErrorCode>(Error.code), Error.message);
     }
     Wire.store(Started, std::memory_order_release);
+    Inbox.SetBell(Started);
     Address = spear_server_address(Started);
     Runner.Start(Started);
     return {};
@@ -71,6 +72,7 @@ void FServer::Stop() {
     }
     Inbox.NoteExit();
     spear_server_stop(Running);
+    Inbox.SetBell(nullptr);
     Wire.store(nullptr, std::memory_order_release);
     Runner.Stop();
     FLatentCalls::Get().Stop();

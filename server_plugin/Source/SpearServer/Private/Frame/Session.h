@@ -26,7 +26,7 @@ namespace SpearServer {
 /// The result of an operation that later operations may name as a future.
 struct FKeptResult {
     enum EState : uint8 { Pending, Succeeded, Failed } State = Succeeded;
-    std::vector<std::byte> Value; ///< type number and payload
+    spear::ByteBuffer Value; ///< type number and payload
     ErrorInfo Error;
 };
 
@@ -43,10 +43,11 @@ public:
 
     /// The value of an earlier operation. DependencyFailed, NeedsFrames, or UnknownObject if there is none.
     TSpearResult<std::span<const std::byte>> ResolveFuture(uint64 Number) const;
-    /// False if limits::max_kept_results is reached or the number is taken.
-    bool Keep(uint64 Number, FKeptResult Result);
+    /// A place for the result of an operation, pending. Null if limits::max_kept_results is reached or the number is
+    /// taken. Stays where it is until it is released.
+    FKeptResult* Keep(uint64 Number);
     FKeptResult* FindKept(uint64 Number);
-    void ReleaseKept(uint64 Number) { Kept.erase(Number); }
+    void ReleaseKept(uint64 Number);
 
     /// After a garbage collection: drops what names dead objects, classes and functions.
     void Sweep();
@@ -61,7 +62,9 @@ public:
 
 private:
     FSessionGreeting Greeting;
-    std::unordered_map<uint64, FKeptResult> Kept;
+    using FKept = std::unordered_map<uint64, FKeptResult>;
+    FKept Kept;
+    std::vector<FKept::node_type> Spare; ///< released ones with their memory, for the next
 };
 
 } // namespace SpearServer

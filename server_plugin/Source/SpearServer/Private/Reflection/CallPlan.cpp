@@ -15,26 +15,33 @@
 
 namespace SpearServer {
 
-FParameters::FParameters(UFunction* InFunction) : Function(InFunction), Memory(Inline) {
-    const SIZE_T Size = InFunction->ParmsSize;
-    if (Size > InlineBytes || InFunction->GetMinAlignment() > 16) {
-        Memory = static_cast<uint8*>(FMemory::Malloc(Size, static_cast<uint32>(InFunction->GetMinAlignment())));
-    }
-    FMemory::Memzero(Memory, Size);
+FParameterLayout::FParameterLayout(UFunction* InFunction)
+    : Function(InFunction), Size(InFunction->ParmsSize), Alignment(static_cast<uint32>(InFunction->GetMinAlignment())) {
     for (TFieldIterator<FProperty> It(InFunction); It && It->HasAnyPropertyFlags(CPF_Parm); ++It) {
         if (!It->HasAnyPropertyFlags(CPF_ZeroConstructor)) {
-            It->InitializeValue_InContainer(Memory);
+            ToInitialise.push_back(*It);
         }
+        if (!It->HasAnyPropertyFlags(CPF_NoDestructor)) {
+            ToDestroy.push_back(*It);
+        }
+    }
+}
+
+FParameters::FParameters(const FParameterLayout& InLayout) : Layout(InLayout), Memory(Inline) {
+    if (Layout.Size > InlineBytes || Layout.Alignment > 16) {
+        Memory = static_cast<uint8*>(FMemory::Malloc(Layout.Size, Layout.Alignment));
+    }
+    FMemory::Memzero(Memory, Layout.Size);
+    for (const FProperty* Property : Layout.ToInitialise) {
+        Property->InitializeValue_InContainer(Memory);
     }
 }
 
 FParameters::~FParameters() {
     // When the function is gone nobody knows any more what the memory holds; a few strings may leak then.
-    if (const UFunction* Living = Cast<UFunction>(Function.Get(true))) {
-        for (TFieldIterator<FProperty> It(Living); It && It->HasAnyPropertyFlags(CPF_Parm); ++It) {
-            if (!It->HasAnyPropertyFlags(CPF_NoDestructor)) {
-                It->DestroyValue_InContainer(Memory);
-            }
+    if (!Layout.ToDestroy.empty() && Layout.Function.Get(true)) {
+        for (const FProperty* Property : Layout.ToDestroy) {
+            Property->DestroyValue_InContainer(Memory);
         }
     }
     if (Memory != Inline) {
@@ -47,12 +54,12 @@ TSpearResult<std::shared_ptr<FCallPlan>> FCallPlans::Find(FOperation& Operation,
     const UClass* TargetAsClass = Cast<UClass>(Target);
     const FKey Key{TargetAsClass ? TargetAsClass : Target->GetClass(), TargetAsClass ? Shape | 0x8000'0000u : Shape};
     if (const auto At = Plans.find(Key); At != Plans.end()) {
-        const UClass* Class = Cast<UClass>(At->second->Class.Get(true));
-        const UFunction* Function = Cast<UFunction>(At->second->Function.Get(true));
+        const UObject* Class = At->second->Class.Get(true);
+        const UObject* Function = At->second->Function.Get(true);
         bool bCurrent = Class && Function;
 #if WITH_EDITOR
         // Blueprint classes are compiled anew in place.
-        bCurrent = bCurrent && Class->FindFunctionByName(Function->GetFName()) == Function;
+        bCurrent = bCurrent && static_cast<const UClass*>(Class)->FindFunctionByName(Function->GetFName()) == Function;
 #endif
         if (bCurrent) {
             return At->second;
@@ -90,16 +97,16 @@ FStatus FCallPlans::Call(
         Error.operation = Plan.OperationName;
         return Error;
     };
-    UFunction* Function = Cast<UFunction>(Plan.Function.Get(true));
+    UFunction* Function = static_cast<UFunction*>(Plan.Function.Get(true));
     UObject* Object = Plan.bOnDefaultObject ? Cast<UClass>(Target)->GetDefaultObject() : Target;
 
     // A latent function may write to its parameters until it completes: they live as long.
     std::optional<FParameters> OnStack;
     std::shared_ptr<FParameters> Shared;
     if (Plan.LatentInfo) {
-        Shared = std::make_shared<FParameters>(Function);
+        Shared = std::make_shared<FParameters>(*Plan.Layout);
     } else {
-        OnStack.emplace(Function);
+        OnStack.emplace(*Plan.Layout);
     }
     FParameters* const Parameters = Shared ? Shared.get() : &*OnStack;
     spear::Decoder In(Arguments);

@@ -24,10 +24,21 @@ namespace SpearServer {
 struct FOperation;
 class FSession;
 
+/// What the parameters of a function want, worked out once.
+struct FParameterLayout {
+    explicit FParameterLayout(UFunction* InFunction);
+    FWeakObjectPtr Function; ///< plans may outlive a Blueprint's function
+    SIZE_T Size = 0;
+    uint32 Alignment = 1;
+    std::vector<const FProperty*> ToInitialise; ///< zeros are no value of these
+    std::vector<const FProperty*> ToDestroy;
+};
+
 /// The memory of a function's parameters: initialised, and destroyed, as each parameter wants it.
 class FParameters {
 public:
-    explicit FParameters(UFunction* InFunction);
+    /// The layout must outlive this.
+    explicit FParameters(const FParameterLayout& InLayout);
     ~FParameters();
     FParameters(const FParameters&) = delete;
     FParameters& operator=(const FParameters&) = delete;
@@ -35,7 +46,7 @@ public:
 
 private:
     static constexpr std::size_t InlineBytes = 512;
-    FWeakObjectPtr Function; ///< plans may outlive a Blueprint's function
+    const FParameterLayout& Layout;
     uint8* Memory;
     alignas(16) uint8 Inline[InlineBytes];
 };
@@ -49,8 +60,9 @@ struct FCallPlan {
 
     FWeakObjectPtr Class;
     FWeakObjectPtr Function;
-    std::string OperationName;                         ///< "AActor::K2_SetActorLocation"
-    std::vector<FParameter> Arguments;                 ///< in the order in which the client sends them
+    std::string OperationName;         ///< "AActor::K2_SetActorLocation"
+    std::vector<FParameter> Arguments; ///< in the order in which the client sends them
+    std::unique_ptr<FParameterLayout> Layout;
     std::unique_ptr<FParameters> Defaults;             ///< holds the values of the arguments omitted
     std::vector<const FProperty*> Omitted;             ///< taken from Defaults
     const FObjectPropertyBase* WorldContext = nullptr; ///< filled in by us

@@ -133,7 +133,8 @@ ErrorInfo UnknownArgument(const FCallPlan& Plan, const UFunction* Function, cons
 
 /// Gives each omitted parameter its default, or says which has none.
 FStatus FillDefaults(FCallPlan& Plan, UFunction* Function, const std::vector<const FProperty*>& Given) {
-    Plan.Defaults = std::make_unique<FParameters>(Function);
+    Plan.Layout = std::make_unique<FParameterLayout>(Function);
+    Plan.Defaults = std::make_unique<FParameters>(*Plan.Layout);
     for (TFieldIterator<FProperty> It(Function); It && It->HasAnyPropertyFlags(CPF_Parm); ++It) {
         const FProperty* Property = *It;
         if (Property->HasAnyPropertyFlags(CPF_ReturnParm) || Property == Plan.WorldContext ||

@@ -32,7 +32,7 @@ public:
     spear::TypeId DelegateNumber();
 
     /// Announcements that go ahead of the next reply.
-    std::vector<std::byte> TakePending() { return Announcer.take_pending(); }
+    spear::ByteBuffer TakePending() { return Announcer.take_pending(); }
     /// Forgets classes that were collected (their numbers stay given).
     void Sweep();
 

@@ -40,7 +40,7 @@ std::string ExpectedTypeOf(const FTypePlan& Plan) {
 // --------------------------------------------------------------------------------------------------------------------
 
 bool FValueReader::Fail(ErrorCode Code, std::string Message, std::string Expected) {
-    Error = MakeError(Code, std::move(Message), Name, std::move(Expected));
+    Error = MakeError(Code, std::move(Message), std::string(Name), std::move(Expected));
     return false;
 }
 
@@ -78,7 +78,7 @@ bool FValueReader::ReadValue(const FTypePlan& Plan, void* Address, spear::Decode
     std::span<const std::byte> Bytes;
     if (!Context.resolve_future(Context.user, In.get<uint64>(), Bytes)) {
         Error = Operation.Error;
-        Error.argument = Name;
+        Error.argument = std::string(Name);
         return false;
     }
     spear::Decoder Result(Bytes);

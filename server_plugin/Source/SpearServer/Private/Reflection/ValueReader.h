@@ -63,8 +63,9 @@ using FStructConversions = std::unordered_map<uint64, std::unique_ptr<FStructCon
 class FValueReader {
 public:
     /// What is read, for messages: "argument" and "NewLocation", "property" and "Tags".
-    FValueReader(FOperation& InOperation, const char* InWhat, std::string InName)
-        : Operation(InOperation), What(InWhat), Name(std::move(InName)) {}
+    /// The name must outlive the reader.
+    FValueReader(FOperation& InOperation, const char* InWhat, std::string_view InName)
+        : Operation(InOperation), What(InWhat), Name(InName) {}
 
     /// Reads type number and payload into initialised memory. False with Error set; the memory is then still a valid
     /// value.
@@ -103,11 +104,11 @@ private:
     bool FailType(const FTypePlan& Plan, spear::TypeId Found);
     bool FailMalformed();
     bool Fail(ErrorCode Code, std::string Message, std::string Expected = {});
-    std::string Place() const { return std::string(What) + " '" + Name + Where + "'"; }
+    std::string Place() const { return std::string(What) + " '" + std::string(Name) + Where + "'"; }
 
     FOperation& Operation;
     const char* What;
-    std::string Name;
+    std::string_view Name;
     std::string Where; ///< ".X", "[3]": the part of the value that is being read
     std::size_t Depth = 0;
     std::size_t TakenBytes = 0;
