@@ -170,20 +170,12 @@ class SchemaSet:
     @cached_property
     def subclasses(self) -> dict[str, list[str]]:
         """Class name -> its direct subclasses, sorted."""
-        found: dict[str, list[str]] = {}
-        for entity in self.classes.values():
-            if entity["super"]:
-                found.setdefault(entity["super"], []).append(entity["name"])
-        return {name: sorted(names) for name, names in sorted(found.items())}
+        return _children(self.classes)
 
     @cached_property
     def derived_structs(self) -> dict[str, list[str]]:
         """Struct name -> the structs that derive from it directly, sorted."""
-        found: dict[str, list[str]] = {}
-        for entity in self.structs.values():
-            if entity["super"]:
-                found.setdefault(entity["super"], []).append(entity["name"])
-        return {name: sorted(names) for name, names in sorted(found.items())}
+        return _children(self.structs)
 
     @cached_property
     def implementers(self) -> dict[str, list[str]]:
@@ -223,6 +215,14 @@ class SchemaSet:
     def is_a(self, name: str, base: str) -> bool:
         """Whether a class or struct is another one or derives from it."""
         return name == base or base in self.ancestors(name)
+
+
+def _children(entities: Mapping[str, Entity]) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = {}
+    for entity in entities.values():
+        if entity["super"]:
+            found.setdefault(entity["super"], []).append(entity["name"])
+    return {name: sorted(names) for name, names in sorted(found.items())}
 
 
 def _joined(documents: list[Entity]) -> Entity:
