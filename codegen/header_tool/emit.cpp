@@ -430,14 +430,17 @@ void emit_document(std::ostream& out, const std::vector<ModuleInfo>& modules, co
             source["build_cs"] = m.build_cs;
         list.push_back({{"name", m.name}, {"source", std::move(source)}});
     }
-    std::vector<const Fragment*> sorted = fragments;
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Fragment* a, const Fragment* b) {
-        return std::tie(a->kind, a->name, a->path) < std::tie(b->kind, b->name, b->path);
+    std::vector<std::pair<const Fragment*, std::size_t>> sorted; // with its place, which decides between equals
+    for (const Fragment* f : fragments)
+        sorted.emplace_back(f, sorted.size());
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.first->kind, a.first->name, a.first->path, a.second) <
+               std::tie(b.first->kind, b.first->name, b.first->path, b.second);
     });
     auto entities = [&](const char* key, Fragment::Kind kind) {
         out << "  \"" << key << "\": [";
         const char* separator = "\n    ";
-        for (const Fragment* f : sorted)
+        for (const auto& [f, place] : sorted)
             if (f->kind == kind) {
                 out << separator << f->text;
                 separator = ",\n    ";

@@ -12,6 +12,7 @@
 #include <map>
 #include <set>
 #include <sys/stat.h>
+#include <tuple>
 
 namespace spear::header_tool {
 
@@ -87,8 +88,9 @@ public:
         FoundModules out;
         for (const auto& [name, info] : found_)
             out.modules.push_back(info);
-        std::stable_sort(out.modules.begin(), out.modules.end(),
-            [](const ModuleInfo& a, const ModuleInfo& b) { return a.written > b.written; });
+        std::sort(out.modules.begin(), out.modules.end(), [](const ModuleInfo& a, const ModuleInfo& b) {
+            return std::tie(b.written, a.name) < std::tie(a.written, b.name);
+        });
         out.errors = std::move(errors_);
         return out;
     }
