@@ -105,7 +105,7 @@ TEST_CASE("malformed batches end the session, not the engine") {
 
     batch = {};
     add_find_class(batch, 1, "AActor");
-    batch.operations.resize(batch.operations.size() - 1); // shorter than it says
+    batch.operations.pop_back(); // shorter than it says
     CHECK(drops(batch));
 
     batch = {};
