@@ -169,8 +169,8 @@ def test_fire_and_forget_failures_are_reported(instance: spear.Instance, game: s
             game.destroy_actor(actor)
             actor.send_.SetActorScale3D(NewScale3D=spear.FVector(1, 1, 1))
     with instance.begin_frame():
-        actor.send_.SetActorScale3D(NewScale3D=spear.FVector(1, 1, 1))  # an all-asynchronous block: nothing is known when it closes
-    with instance.end_frame():
-        pass
-    with pytest.raises(spear.StaleObject):
+        actor.send_.SetActorScale3D(NewScale3D=spear.FVector(1, 1, 1))  # an all-asynchronous block: nothing need be known when it closes
+    with pytest.raises(spear.StaleObject):  # but whoever next waits for the engine hears of it: the close of a block, or a flush
+        with instance.end_frame():
+            pass
         instance.flush()
