@@ -38,6 +38,7 @@ bool ClientChannel::submit(std::uint64_t request, const spear_batch& batch) {
         writer_.write(
             {{&head, sizeof(head)}, {batch.releases, releases}, {batch.operations.data, batch.operations.size},
                 {batch.types.data, batch.types.size}, {zeros, padding(size)}});
+        sent_.add(TrafficCounter::bytes_of(batch));
         waits = writer_.waiting_bytes() != 0;
         wants_room_.store(waits, std::memory_order_relaxed);
     }
@@ -104,6 +105,7 @@ int ClientChannel::take(std::uint64_t& request, spear_answers& answers) {
         answers.error_code = head.error_code;
         answers.error_message = error_text_.c_str();
     }
+    received_.add(TrafficCounter::bytes_of(answers));
     return 1;
 }
 

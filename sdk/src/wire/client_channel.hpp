@@ -32,12 +32,17 @@ public:
     std::uint32_t wakes() const noexcept { return wakes_.load(); }
     void wake() noexcept;
 
+    spear_traffic sent() const noexcept { return sent_.read(); }
+    spear_traffic received() const noexcept { return received_.read(); }
+
 private:
     void wake_server(bool block);
 
     const std::unique_ptr<ChannelRegion> region_;
     ChannelHeader& header_;
     std::mutex write_mutex_;
+    TrafficCounter sent_; // counted under write_mutex_
+    TrafficCounter received_; // counted by who takes
     ChannelWriter writer_;
     std::atomic<bool> wants_room_{false};
     ChannelReader reader_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Frame/Batches.h"
 
+#include "Frame/FrameTrace.h"
 #include "Frame/Session.h"
 
 #include "spear/limits.hpp"
@@ -64,6 +65,7 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
                 " is taken, or limits::max_kept_results = " + std::to_string(spear::limits::max_kept_results) +
                 " is reached; drop futures");
     } else {
+        FOperationTrace Trace(Session, Header.number, EntryPoint, Arguments);
         spear::Decoder In(Arguments);
         Outcome = GetHandler(EntryPoint)(Operation, In);
     }

@@ -25,12 +25,14 @@ void FFrameRunner::Start(spear_server* InServer) {
     Server = InServer;
     BeginFrameHandle = FCoreDelegates::OnBeginFrame.AddRaw(this, &FFrameRunner::OnBeginFrame);
     EndFrameHandle = FCoreDelegates::OnEndFrame.AddRaw(this, &FFrameRunner::OnEndFrame);
+    Trace.Start();
     GarbageHandle = FCoreUObjectDelegates::GetPostGarbageCollect().AddRaw(this, &FFrameRunner::OnPostGarbageCollect);
 }
 
 void FFrameRunner::Stop() {
     FCoreDelegates::OnBeginFrame.Remove(BeginFrameHandle);
     FCoreDelegates::OnEndFrame.Remove(EndFrameHandle);
+    Trace.Stop();
     FCoreUObjectDelegates::GetPostGarbageCollect().Remove(GarbageHandle);
     Parked.clear();
     Sessions.clear();
@@ -49,6 +51,7 @@ void FFrameRunner::OnBeginFrame() {
     if (bRunning) {
         return;
     }
+    Trace.BeginFrame();
     Inbox.NoteFrame(GFrameCounter);
     spear_server_poll(Server);
     UpdateEngineFacts();
@@ -78,6 +81,7 @@ void FFrameRunner::OnBeginFrame() {
     }
     spear_server_release(Server);
     SetHolder(0, NoReason);
+    Trace.EndBeginWork();
 }
 
 void FFrameRunner::OnEndFrame() {
@@ -92,9 +96,14 @@ void FFrameRunner::OnEndFrame() {
     InFrame.clear();
     spear_server_release(Server);
     SetHolder(0, NoReason);
+    Trace.EndFrame();
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
+    spear::TraceSpan Span(Block == EBlock::Begin ? SPEAR_TRACE_BEGIN_WORK : SPEAR_TRACE_END_WORK);
+    if (Span.is_on()) {
+        Span.set_arguments(SessionId, Inbox.FirstTransaction(SessionId));
+    }
     for (;;) {
         if (std::optional<FBatch> Batch = Inbox.TakeBatch(SessionId, Block)) {
             RunAndReply(std::move(*Batch));
@@ -132,7 +141,10 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
         return false;
     }
     SetHolder(SessionId, Reason);
-    spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+    {
+        const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
+        spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+    }
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
     return true;
@@ -175,6 +187,9 @@ void FFrameRunner::ApplyNews(FSession& Session) {
     for (const uint64 Number : News.Releases) {
         Session.ReleaseKept(Number);
     }
+    if (!News.Releases.empty()) {
+        Inbox.NoteKept(Session.GetId(), Session.NumKept());
+    }
 }
 
 void FFrameRunner::RunFreeBatches() {
@@ -200,6 +215,7 @@ void FFrameRunner::RunFreeBatches() {
         bRunning = false;
         SweepIfNeeded();
         if (bDone) {
+            Inbox.NoteKept(Session->GetId(), Session->NumKept());
             Inbox.NoteRun(Running.Batch);
             Reply(Running.Batch, Running.Answers);
         } else {
@@ -227,6 +243,7 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
     RunBatch(*Session, Running); // operations of a block are never parked
     bRunning = false;
     SweepIfNeeded();
+    Inbox.NoteKept(Running.Batch.Session, Session->NumKept());
     Inbox.NoteRun(Running.Batch);
     Reply(Running.Batch, Running.Answers);
 }

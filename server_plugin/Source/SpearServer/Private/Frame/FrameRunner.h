@@ -13,6 +13,7 @@
 #include "CoreMinimal.h"
 
 #include "Frame/Batches.h"
+#include "Frame/FrameTrace.h"
 #include "Frame/Inbox.h"
 #include "Frame/Session.h"
 
@@ -73,6 +74,7 @@ private:
     FDelegateHandle BeginFrameHandle;
     FDelegateHandle EndFrameHandle;
     FDelegateHandle GarbageHandle;
+    FFrameTrace Trace;
 };
 
 } // namespace SpearServer

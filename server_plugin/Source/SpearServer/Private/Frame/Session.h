@@ -48,6 +48,7 @@ public:
     FKeptResult* Keep(uint64 Number);
     FKeptResult* FindKept(uint64 Number);
     void ReleaseKept(uint64 Number);
+    std::size_t NumKept() const { return Kept.size(); }
 
     /// After a garbage collection: drops what names dead objects, classes and functions.
     void Sweep();
