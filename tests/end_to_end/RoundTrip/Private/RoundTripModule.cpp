@@ -11,6 +11,8 @@
 #include "UObject/Stack.h"
 #include "UObject/UObjectGlobals.h"
 
+#include <malloc.h>
+
 void URoundTrip::CallListener(int32 Number) {
     if (UObject* Listener = InterfaceValue.GetObject()) {
         IRoundTripListener::Execute_Hear(Listener, Number);
@@ -49,6 +51,11 @@ DEFINE_FUNCTION(URoundTripCalls::execThunked) {
 }
 
 void URoundTripCalls::CollectNow() { CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS); }
+
+int64 URoundTripCalls::AllocatedBytes() {
+    const struct mallinfo2 Info = mallinfo2();
+    return static_cast<int64>(Info.uordblks + Info.hblkhd);
+}
 
 int64 URoundTripCalls::Ticket() {
     static int64 Last = 0;
