@@ -35,7 +35,7 @@ def instance() -> Iterator["spear.Instance"]:  # noqa: F821
     """An engine with the apartment, at a fixed time step, as fast as it can; shared by all tests that do not harm it."""
     import spear
 
-    with spear.launch(scene="apartment", fixed_dt=0.01, fps=0) as running:
+    with spear.launch(scene="apartment", fixed_dt=0.01, fps=500) as running:
         yield running
 
 

@@ -28,8 +28,8 @@ def spawn_ring(instance: spear.Instance, count: int) -> list[ACoordinateAxes]:
 
 
 def turn_ring(instance: spear.Instance, actors: list[ACoordinateAxes], transactions: int) -> float:
-    """Moves all actors in each transaction, and looks at what the transaction before has read. Returns how high the first actor was on average."""
-    seen = None
+    """Moves all actors in each transaction, and looks at what the transaction before has read. Returns how high they were on average."""
+    seen: list[spear.Future[spear.FVector]] = []
     height = 0.0
     for number in range(transactions):
         angle = 0.02 * number
@@ -39,11 +39,11 @@ def turn_ring(instance: spear.Instance, actors: list[ACoordinateAxes], transacti
                 where = spear.FVector(X=300 * math.cos(at), Y=300 * math.sin(at), Z=150 + 50 * math.sin(3 * at))
                 actor.send_.K2_SetActorLocation(NewLocation=where, bSweep=False, bTeleport=True)  # nothing waits
         with instance.end_frame():
-            read = actors[0].async_.K2_GetActorLocation()  # a future: nothing waits
-        if seen is not None:
-            height += seen.get().Z  # read one transaction ago: there by now, or soon
+            read = [actor.async_.K2_GetActorLocation() for actor in actors]  # futures: nothing waits
+        height += sum(location.get().Z for location in seen)  # read one transaction ago: there by now, or soon
         seen = read
-    return (height + seen.get().Z) / transactions if seen is not None else 0.0
+    height += sum(location.get().Z for location in seen)
+    return height / (transactions * len(actors))
 
 
 def main() -> None:
@@ -58,7 +58,7 @@ def main() -> None:
         first = instance.call("engine_service.get_frame_number")
         height = turn_ring(instance, actors, options.transactions)
         frames = instance.call("engine_service.get_frame_number") - first
-        print(f"{options.transactions} transactions of {options.actors} operations in {frames} frames; the first actor was {height:.1f} cm high on average")
+        print(f"{options.transactions} transactions of {2 * options.actors} operations in {frames} frames; the actors were {height:.1f} cm high on average")
 
 
 if __name__ == "__main__":

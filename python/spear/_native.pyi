@@ -86,6 +86,11 @@ class MemberBase:
     def set(self, path: str, value: Any, /) -> Any:
         """Writes what is at a path that begins at the object that the variable holds."""
 
+class StructBase:
+    """Base of struct values: fills their fields."""
+
+    def __init__(self, *values: Any, **fields: Any) -> None: ...
+
 class Future(Generic[_T]):
     """The result of an asynchronous operation. May be an argument of later operations, in any position."""
 

@@ -6,14 +6,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, TypeVar
 
-from spear import facts
+from spear import _native, facts
 
 _S = TypeVar("_S", bound="Struct")
 _classes: dict[str, type[Struct]] = {}
 _set = object.__setattr__
 
 
-class Struct:
+class Struct(_native.StructBase):
     """Base of all struct values. Fields are attributes; two structs are equal if name and fields are.
 
     A field that was not given is *unset*: it has no value here (AttributeError), it is not sent, and the engine gives it Unreal's own
@@ -38,7 +38,8 @@ class Struct:
             cls._attributes = cls.__dict__.get("_attributes", cls.field_names)
             _classes[cls.struct_name] = cls
 
-    def __init__(self, *values: Any, **fields: Any) -> None:
+    def _initialise(self, *values: Any, **fields: Any) -> None:
+        """What ``__init__`` of the native half leaves to Python: classes without a slot for each field, and what is given in other ways."""
         names = self._attributes
         if not fields and len(values) == len(names):
             for name, value in zip(names, values):

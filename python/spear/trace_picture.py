@@ -91,10 +91,10 @@ class _Picture:
         colour, inset, text = _look(span)
         box = (left, y + inset, max(right, left + 1), y + LANE - inset)
         self.paint.rectangle(box, fill=colour, outline=FAINT if span.name in ("idle", "wait for frame") or is_frame(span) else None)
-        dark = sum(colour) > 420
+        bright = sum(colour) > 480
         for words in (text, text.split(" ")[-1]):
             if words and self.paint.textlength(words, font=self.small) + 6 < right - left:
-                self.paint.text(((left + right) / 2, y + LANE / 2), words, fill=INK if dark else PAPER, font=self.small, anchor="mm")
+                self.paint.text(((left + right) / 2, y + LANE / 2), words, fill=INK if bright else PAPER, font=self.small, anchor="mm")
                 break
         session, transaction = span.arguments.get("session"), span.arguments.get("transaction")
         if session is not None and transaction is not None:

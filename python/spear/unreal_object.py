@@ -100,6 +100,12 @@ class ObjectBase(_native.Object):
         """The actor's components of a class."""
         return list(self._session.call(_COMPONENTS_BY_CLASS, (self, class_argument(uclass), ""), {}, SYNC))
 
+    def __copy__(self: _T) -> _T:
+        return self
+
+    def __deepcopy__(self: _T, memo: Any) -> _T:
+        return self  # copies of a struct refer to the same objects
+
     def __repr__(self) -> str:
         return f"<{self._class_name} handle={self._handle:#x}>"
 

@@ -20,15 +20,16 @@ struct Classes {
     PyObject* result_class = nullptr; ///< spear.results.result_class(name, fields) -> class
     PyObject* null_result =
         nullptr; ///< spear.nulls.null_result(...): raises where a null object is none of the results
-    PyObject* parameter_name = nullptr; ///< spear.naming.parameter_name(keyword) -> Unreal's name
-    PyObject* errors = nullptr;         ///< {name: class}
-    PyObject* future_object = nullptr;  ///< spear.FutureObject
-    PyObject* member = nullptr;         ///< spear.Member
+    PyObject* parameter_name = nullptr;  ///< spear.naming.parameter_name(keyword) -> Unreal's name
+    PyObject* errors = nullptr;          ///< {name: class}
+    PyObject* future_object = nullptr;   ///< spear.FutureObject
+    PyObject* member = nullptr;          ///< spear.Member
     PyObject* async_namespace = nullptr; ///< spear.unreal_object.AsyncNamespace
     PyObject* send_namespace = nullptr;  ///< spear.unreal_object.SendNamespace
     PyObject* renamed = nullptr;         ///< spear.naming.renamed: {attribute: what it is in Unreal, or where to look}
     PyObject* unreal_name_of = nullptr;  ///< spear.naming.unreal_name_of(target, attribute) for those
-    PyObject* check_assignment = nullptr; ///< spear.unreal_object.check_assignment(name): raises for names of ObjectBase
+    PyObject* check_assignment =
+        nullptr; ///< spear.unreal_object.check_assignment(name): raises for names of ObjectBase
 
     /// Counts the announcements of enums by engines: a class may have got more entries, so that it is announced anew.
     std::uint32_t enums_seen = 0;

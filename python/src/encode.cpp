@@ -96,8 +96,7 @@ bool encode_number_payload(Encoder& out, TypeId type, PyObject* value) {
 /// error.
 nb::object field_of(PyObject* value, const StructWriter& writer, std::size_t index) {
     if (!writer.offsets.empty()) {
-        PyObject* const in_slot =
-            *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(value) + writer.offsets[index]);
+        PyObject* const in_slot = *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(value) + writer.offsets[index]);
         return nb::borrow(in_slot);
     }
     PyObject* field = PyObject_GenericGetAttr(value, writer.fields[index]);

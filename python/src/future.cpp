@@ -55,8 +55,8 @@ PyObject* future_repr(PyObject* self) {
 
 } // namespace
 
-PyObject* make_future(PyObject* session, OperationHandle operation, bool has_result, PyObject* target, PyObject* name,
-    bool is_function) {
+PyObject* make_future(
+    PyObject* session, OperationHandle operation, bool has_result, PyObject* target, PyObject* name, bool is_function) {
     PyObject* const made = native.future->tp_alloc(native.future, 0);
     if (!made) {
         throw nb::python_error();
@@ -75,15 +75,14 @@ PyObject* future_result(NativeFuture* future, std::optional<double> timeout) {
     const nb::object kept = nb::borrow(reinterpret_cast<PyObject*>(future)); // while the lock is released
     std::optional<Milliseconds> deadline;
     if (timeout) { // what is longer than a hundred years is for ever
-        deadline = Milliseconds(std::isnan(*timeout) ? 0 : static_cast<std::int64_t>(std::clamp(*timeout, 0.0, 3.2e9) * 1000));
+        deadline =
+            Milliseconds(std::isnan(*timeout) ? 0 : static_cast<std::int64_t>(std::clamp(*timeout, 0.0, 3.2e9) * 1000));
     }
     const RawResult result = result_of(future->operation, deadline);
     if (!future->has_result) {
         return Py_NewRef(Py_None);
     }
-    return decode_result(result, future->session, {future->target, future->name, future->is_function})
-        .release()
-        .ptr();
+    return decode_result(result, future->session, {future->target, future->name, future->is_function}).release().ptr();
 }
 
 void make_future_type(nb::module_& module) {
@@ -95,7 +94,8 @@ void make_future_type(nb::module_& module) {
     };
     static PyMethodDef methods[] = {
         {"get", reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(&future_get)), METH_FASTCALL | METH_KEYWORDS,
-            "get($self, /, timeout=None)\n--\n\nWaits while the operation is pending (at most ``timeout`` seconds), then "
+            "get($self, /, timeout=None)\n--\n\nWaits while the operation is pending (at most ``timeout`` seconds), "
+            "then "
             "returns its result or raises its error. Any thread."},
         {"is_ready", &future_is_ready, METH_NOARGS,
             "is_ready($self, /)\n--\n\nWhether get() would return (or raise) at once."},
@@ -111,8 +111,8 @@ void make_future_type(nb::module_& module) {
         {Py_tp_methods, methods},
         {0, nullptr},
     };
-    PyType_Spec spec{"spear._native.Future", sizeof(NativeFuture), 0,
-        Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
+    PyType_Spec spec{
+        "spear._native.Future", sizeof(NativeFuture), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
     native.future = reinterpret_cast<PyTypeObject*>(PyType_FromSpec(&spec));
     if (!native.future) {
         throw nb::python_error();
@@ -125,6 +125,7 @@ void make_native_types(nb::module_& module) {
     make_future_type(module);
     make_object_types(module);
     make_member_type(module);
+    make_struct_type(module);
 }
 
 } // namespace spear::python

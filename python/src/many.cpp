@@ -88,9 +88,10 @@ nb::object PySession::call_many(
     nb::handle self, nb::handle objects, nb::str function, nb::tuple args, nb::dict kwargs, int mode) {
     PySession& session = session_of(self);
     const nb::object path = nb::steal(reinterpret_cast<PyObject*>(path_of_text(function.ptr())));
-    const nb::object all = PyList_Check(objects.ptr()) || PyTuple_Check(objects.ptr()) || session_of_target(objects.ptr())
-                               ? nb::borrow(objects)
-                               : nb::steal(PySequence_Tuple(objects.ptr()));
+    const nb::object all =
+        PyList_Check(objects.ptr()) || PyTuple_Check(objects.ptr()) || session_of_target(objects.ptr())
+            ? nb::borrow(objects)
+            : nb::steal(PySequence_Tuple(objects.ptr()));
     if (!all.is_valid()) {
         throw nb::python_error();
     }

@@ -148,8 +148,8 @@ PyObject* member_set(PyObject* self, PyObject* const* args, Py_ssize_t count) {
     return guarded<PyObject*>(nullptr, [&] {
         const auto& member = *as<NativeMember>(self);
         const nb::object path = path_from(member, count == 2 ? args[0] : nullptr);
-        return PySession::set_property(session_of_target(member.target), member.target, as<NativePath>(path.ptr()),
-            args[count - 1], member.mode)
+        return PySession::set_property(
+            session_of_target(member.target), member.target, as<NativePath>(path.ptr()), args[count - 1], member.mode)
             .release()
             .ptr();
     });

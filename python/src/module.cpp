@@ -78,8 +78,7 @@ nb::object wrap(Instance instance) {
 
 nb::object connect_python(const std::string& address, nb::bytes token, std::uint32_t lease_ms,
     std::uint32_t deadline_ms, std::uint32_t timeout_ms, bool channel, bool spin) {
-    const SessionOptions options =
-        session_options(address, token, lease_ms, deadline_ms, timeout_ms, channel, spin);
+    const SessionOptions options = session_options(address, token, lease_ms, deadline_ms, timeout_ms, channel, spin);
     std::optional<Instance> instance;
     {
         const nb::gil_scoped_release unlock;
@@ -140,8 +139,8 @@ nb::list list_engines() {
 
 nb::list remove_leftovers(bool logs_too) {
     nb::list removed;
-    spear_remove_leftovers(nullptr, logs_too, &removed,
-        [](void* user, const char* path) { static_cast<nb::list*>(user)->append(path); });
+    spear_remove_leftovers(
+        nullptr, logs_too, &removed, [](void* user, const char* path) { static_cast<nb::list*>(user)->append(path); });
     return removed;
 }
 
@@ -323,7 +322,8 @@ NB_MODULE(_native, module) {
         nb::arg("token"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"), nb::arg("channel"),
         nb::arg("spin"));
     nb::class_<PyTrace>(module, "Trace")
-        .def("__init__",
+        .def(
+            "__init__",
             [](PyTrace* self, PySession& session, const std::string& file, bool operations, std::uint64_t events) {
                 const nb::gil_scoped_release unlock;
                 TraceOptions options{.file = file, .operations = operations};

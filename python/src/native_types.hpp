@@ -99,6 +99,7 @@ void make_object_types(nb::module_& module);
 void make_member_type(nb::module_& module);
 void make_future_type(nb::module_& module);
 void make_path_type();
+void make_struct_type(nb::module_& module);
 
 inline bool is_object(PyObject* value) { return PyObject_TypeCheck(value, native.object); }
 inline bool is_future(PyObject* value) { return Py_IS_TYPE(value, native.future); }
@@ -111,8 +112,8 @@ T* as(PyObject* value) {
 /// New references; they throw nb::python_error.
 PyObject* make_object(PyObject* session, ObjectRef ref);
 /// `target` may be null.
-PyObject* make_future(PyObject* session, OperationHandle operation, bool has_result, PyObject* target, PyObject* name,
-    bool is_function);
+PyObject* make_future(
+    PyObject* session, OperationHandle operation, bool has_result, PyObject* target, PyObject* name, bool is_function);
 PyObject* make_member(PyObject* target, NativePath* path, int mode);
 PyObject* make_namespace(PyTypeObject* type, PyObject* target, int mode);
 /// The value of a future (its RawResult decoded), waited for at most so many seconds.

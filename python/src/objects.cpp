@@ -214,15 +214,16 @@ PyObject* session_of_target(PyObject* target) {
 void make_object_types(nb::module_& module) {
     static PyGetSetDef object_attributes[] = {
         {"async_", &async_of, nullptr,
-            "The same functions and variables, asynchronously: each gives a Future at once, and runs in the same order.",
+            "The same functions and variables, asynchronously: each gives a Future at once, and runs in the same "
+            "order.",
             nullptr},
-        {"send_", &send_of, nullptr,
-            "Fire-and-forget: nothing is returned; failures are reported when a block ends.", nullptr},
+        {"send_", &send_of, nullptr, "Fire-and-forget: nothing is returned; failures are reported when a block ends.",
+            nullptr},
         {"_session", &target_session, nullptr, nullptr, nullptr},
         {"_handle", &object_handle, nullptr, nullptr, nullptr},
         {"_class_name", &object_class_name, nullptr, nullptr, nullptr},
-        {"_class_names", &object_class_names, nullptr,
-            "The class and those it derives from, most derived first.", nullptr},
+        {"_class_names", &object_class_names, nullptr, "The class and those it derives from, most derived first.",
+            nullptr},
         {nullptr, nullptr, nullptr, nullptr, nullptr},
     };
     PyType_Slot object_slots[] = {

@@ -99,9 +99,9 @@ NativePath* attribute_path(NativePath* parent, PyObject* self, PyObject* target,
 
 NativePath* path_of_text(PyObject* text) {
     if (!PyUnicode_Check(text)) {
-        throw_error(ErrorCode::WrongType,
-            std::string("The name of a function, or the path of a variable, is a str, not a ") +
-                Py_TYPE(text)->tp_name + ".");
+        throw_error(
+            ErrorCode::WrongType, std::string("The name of a function, or the path of a variable, is a str, not a ") +
+                                      Py_TYPE(text)->tp_name + ".");
     }
     if (by_text) {
         if (PyObject* const path = PyDict_GetItemWithError(by_text, text)) {
@@ -138,8 +138,8 @@ void forget_names() {
 
 void make_path_type() {
     PyType_Slot slots[] = {{Py_tp_dealloc, reinterpret_cast<void*>(&path_dealloc)}, {0, nullptr}};
-    PyType_Spec spec{"spear._native._Path", sizeof(NativePath), 0,
-        Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
+    PyType_Spec spec{
+        "spear._native._Path", sizeof(NativePath), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION, slots};
     native.path = reinterpret_cast<PyTypeObject*>(PyType_FromSpec(&spec));
     if (!native.path) {
         throw nb::python_error();

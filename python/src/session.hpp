@@ -84,9 +84,9 @@ public:
     /// `target` is an Object, a Future of one or a FutureObject.
     static nb::object call_function(
         nb::handle self, nb::handle target, NativePath* function, const Arguments& arguments, int mode);
-    /// The function called once for each of many objects (many.cpp): `objects` and the arguments are sequences and arrays
-    /// of one value for each call, or one value for all. Gives a list of results (after all have run; raises the first
-    /// error), a list of futures, or nothing.
+    /// The function called once for each of many objects (many.cpp): `objects` and the arguments are sequences and
+    /// arrays of one value for each call, or one value for all. Gives a list of results (after all have run; raises the
+    /// first error), a list of futures, or nothing.
     static nb::object call_many(
         nb::handle self, nb::handle objects, nb::str function, nb::tuple args, nb::dict kwargs, int mode);
     static nb::object get_property(nb::handle self, nb::handle target, NativePath* path, int mode);
@@ -147,8 +147,7 @@ private:
 
 inline PySession& session_of(nb::handle self) { return *nb::inst_ptr<PySession>(self); }
 
-/// Python's lock, given up when an operation is about to sleep and not before: answers that come within the spin cost
-/// no hand-over, and no thread of Python waits for a sleeping one. Taken again when this goes.
+/// Gives up Python's lock when told; takes it again when this goes.
 class LateUnlock {
 public:
     LateUnlock() = default;
@@ -182,7 +181,7 @@ inline RawResult result_of(const OperationHandle& operation, std::optional<Milli
     if (operation.is_ready()) {
         return operation.get(deadline);
     }
-    return waited_for([&](auto&&... notice) { return operation.get(deadline, notice...); });
+    return waited_for([&] { return operation.get(deadline); });
 }
 
 // encode.cpp: appends a Python value as an argument. Raises TypeError, OverflowError for what has no place on the wire.

@@ -336,7 +336,8 @@ void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     const std::uint64_t request = last_request[static_cast<std::size_t>(kind)];
     take_answers();
     if (request != 0 && in_flight.contains(request)) {
-        const TraceSpan span(SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
+        const TraceSpan span(
+            SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
         wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
     }
 }

@@ -30,7 +30,7 @@ def test_a_program(command: list[str], source_directory: Path, tmp_path: Path) -
     program = source_directory / "examples" / "steady_state" / "steady_state.py"
     file, picture = tmp_path / "out.json", tmp_path / "out.png"
     output = helpers.run([*command, "-o", file, "--png", picture, "--frames", "3", "--", sys.executable, program, "--actors", "5", "--transactions", "20"]).stdout
-    assert "20 transactions of 5 operations" in output and "waiting for clients" in output
+    assert "20 transactions of 10 operations" in output and "waiting for clients" in output
     assert "21 transactions" in output or "20 transactions" in output  # the first spawns the actors; the last frame may be cut off
     recorded = trace.read(file)
     assert len(recorded.processes) == 2 and len(recorded.game_threads()) == 1

@@ -24,8 +24,8 @@ struct Scene {
         return actors.emplace_back(game.spawn_actor("ACameraActor", {.location = {x, y, z}}));
     }
     spear::Object add(const spear::Object& actor, const char* component) {
-        return actor.call<spear::Object>("AddComponentByClass", arg("Class", component), arg("bManualAttachment", false),
-            arg("RelativeTransform", FTransform{}), arg("bDeferredFinish", false));
+        return actor.call<spear::Object>("AddComponentByClass", arg("Class", component),
+            arg("bManualAttachment", false), arg("RelativeTransform", FTransform{}), arg("bDeferredFinish", false));
     }
     void attach(const spear::Object& child, const spear::Object& parent) {
         child.call("K2_AttachToActor", arg("ParentActor", parent), arg("SocketName", "None"),
@@ -39,6 +39,7 @@ struct Scene {
             const spear::Object motion = add(ball, "UProjectileMovementComponent");
             const auto speed = random.call<double>("RandomFloatInRange", arg("Min", 50.0), arg("Max", 150.0));
             motion["bRotationFollowsVelocity"].set(i % 2 == 0);
+            motion["ProjectileGravityScale"].set(0.02); // they stay above the world's KillZ
             motion["Velocity"].set(FVector{speed, 7.0 * i, 300});
             const spear::Object wheel = spawn(50.0 * i, 300, 100);
             const spear::Object rotation = add(wheel, "URotatingMovementComponent");
@@ -76,7 +77,8 @@ std::vector<double> run_scene(spear::Instance& instance, std::uint64_t steps) {
             const auto push = random.async<double>("RandomFloatInRange", arg("Min", -1.0), arg("Max", 1.0));
             const spear::Object& pushed = scene.actors[step % scene.actors.size()];
             pushed.send("K2_AddActorWorldOffset",
-                arg("DeltaLocation", std::map<std::string, spear::Future<double>>{{"X", push}, {"Y", push}, {"Z", push}}),
+                arg("DeltaLocation",
+                    std::map<std::string, spear::Future<double>>{{"X", push}, {"Y", push}, {"Z", push}}),
                 arg("bSweep", false), arg("bTeleport", true));
             frame.execute();
         }

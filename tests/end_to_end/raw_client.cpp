@@ -72,7 +72,9 @@ RawClient::RawClient(const std::vector<std::string>& entry_points, std::uint32_t
     options.entry_points = pointers.data();
     options.entry_point_count = pointers.size();
     const spear_client_callbacks callbacks{this, &on_answers, &on_lost, nullptr};
-    client_ = spear_client_connect(&options, &callbacks, &connect_error_);
+    spear_client* const client = spear_client_connect(&options, &callbacks, &connect_error_);
+    const std::lock_guard lock(mutex_); // on_lost may come already
+    client_ = client;
 }
 
 RawClient::~RawClient() { close(); }
@@ -162,8 +164,7 @@ RawClient::Batch closing(std::uint64_t transaction, std::uint8_t block) {
 }
 
 void add_find_class(RawClient::Batch& batch, std::uint64_t number, std::string_view name) {
-    RawClient::add(
-        batch, spear::unreal_service::find_class, number, [&](spear::Encoder& out) { put_text(out, name); });
+    RawClient::add(batch, spear::unreal_service::find_class, number, [&](spear::Encoder& out) { put_text(out, name); });
 }
 
 void announce(RawClient::Batch& batch, spear::TypeId number, const spear::TypeInfo& info) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blocks: G6, order and nesting, threads, exceptions of the user, results that need frames, and what may happen to objects
-// between begin and end.
+// Blocks: G6, order and nesting, threads, exceptions of the user, results that need frames, and what may happen to
+// objects between begin and end.
 #include <stdexcept>
 #include <string>
 #include <thread>

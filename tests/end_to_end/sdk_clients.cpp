@@ -151,10 +151,10 @@ TEST_CASE("two clients: while one holds the engine by single_step, the other wai
     const std::string text = error_text<spear::HeldByClient>([&] { two.transact([&] { two.spawn(); }); });
     CHECK(contains(text, "the holder"));
     CHECK(contains(text, "single_step"));
+    two.instance.session()->set_deadline(30s);
     CHECK(two.game.get_class("AActor").class_name() == "UClass"); // facts need no frame
 
     one.transact(nullptr);
-    two.instance.session()->set_deadline(30s);
     CHECK_NOTHROW(two.instance.flush()); // what it gave up waiting for has run
     CHECK_NOTHROW(two.transact([&] { two.spawn(); }));
     CHECK(two.frames_go_on());
@@ -236,11 +236,11 @@ TEST_CASE("an engine that runs no frames: clients get EngineBusy, and go on when
     CHECK(contains(text, "no frame"));
     CHECK_THROWS_AS(blocked.get(10ms), spear::EngineBusy);
     CHECK(client.instance.session()->status().state == State::busy);
+    client.instance.session()->set_deadline(30s);
     CHECK(client.instance.call(spear::engine_service::ping, "still there") == "still there");
 
     std::ofstream(folder.path / "go").put('\n');
     CHECK_NOTHROW(blocked.get());
-    client.instance.session()->set_deadline(30s);
     client.transact([&] { CHECK(actor.call<FVector>("K2_GetActorLocation") == FVector{}); });
     CHECK(client.frames_go_on());
 }

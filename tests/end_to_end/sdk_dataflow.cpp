@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// G8: futures as arguments, in every position, resolved by the server; and what travels: counted messages, results kept.
+// G8: futures as arguments, in every position, resolved by the server; and what travels: counted messages, results
+// kept.
 #include <map>
 #include <optional>
 #include <string>
@@ -74,7 +75,6 @@ TEST_CASE("G8: an operation whose argument failed raises DependencyFailed with t
     }
 }
 
-
 TEST_CASE("G8: futures as elements of arrays and sets, values of maps, fields of structs, and nested in each other") {
     Client client;
     spear::Object trip;
@@ -102,10 +102,10 @@ TEST_CASE("G8: futures as elements of arrays and sets, values of maps, fields of
         // A struct's array of numbers, and an array of structs: futures in the third level.
         record = trip.async<spear::Value>("EchoRecord",
             std::map<std::string, std::vector<spear::Future<double>>>{{"Samples", {number, number, number}}});
-        records = trip.async<spear::Value>("EchoRecordArray",
-            std::vector{std::map<std::string, spear::Future<FVector>>{{"Place", vector}},
-                std::map<std::string, spear::Future<FVector>>{{"Place", vector}}});
-        trip["VectorArrayValue"].send_set(array);                      // a value of a property
+        records = trip.async<spear::Value>(
+            "EchoRecordArray", std::vector{std::map<std::string, spear::Future<FVector>>{{"Place", vector}},
+                                   std::map<std::string, spear::Future<FVector>>{{"Place", vector}}});
+        trip["VectorArrayValue"].send_set(array); // a value of a property
         stored = trip["VectorArrayValue"].async_get<std::vector<FVector>>();
     });
     CHECK(counted.messages(client) == Messages{2, 2}); // no round trip: one message for each block
@@ -161,16 +161,14 @@ TEST_CASE("G8: futures of another session, of no operation, and not sent yet are
     Client client, other;
     spear::Object trip;
     spear::Future<FVector> foreign;
-    other.transact([&] {
-        foreign = other.game.new_object("URoundTrip").async<FVector>("EchoVector", FVector{1, 2, 3});
-    });
+    other.transact(
+        [&] { foreign = other.game.new_object("URoundTrip").async<FVector>("EchoVector", FVector{1, 2, 3}); });
     client.transact([&] {
         trip = client.game.new_object("URoundTrip");
         std::string text = error_text<spear::WrongType>([&] { trip.call<FVector>("EchoVector", foreign); });
         CHECK(contains(text, "another session"));
         CHECK(contains(text, "EchoVector"));
-        CHECK_THROWS_AS(
-            trip.send("EchoVectorArray", std::vector{foreign}), spear::WrongType); // wherever it stands
+        CHECK_THROWS_AS(trip.send("EchoVectorArray", std::vector{foreign}), spear::WrongType); // wherever it stands
         CHECK_THROWS_AS(trip.async<FVector>("EchoVector", spear::Future<FVector>()), spear::ArgumentError);
         const auto recorded = trip.async<std::string>("EchoString", "text");
         text = error_text<spear::FrameMisuse>([&] { // the server thread would see it before the block goes out
@@ -195,10 +193,10 @@ TEST_CASE("G8: a failed input fails its dependants, in every position, with the 
         chained = trip.async<FVector>("EchoVector", first);        // argument of a dependant
         dependants = {first.operation(),
             trip.async<spear::Value>("EchoVectorArray", std::vector{bad}).operation(), // element
-            trip["VectorValue"].async_set(bad).operation(),                           // value
+            trip["VectorValue"].async_set(bad).operation(),                            // value
             trip.async<spear::Value>("EchoRecord", std::map<std::string, spear::Future<FVector>>{{"Place", bad}})
-                .operation()};                                                         // member
-        nested = bad_object.async<spear::Value>("GetFullName");                        // object
+                .operation()};                                  // member
+        nested = bad_object.async<spear::Value>("GetFullName"); // object
         fine = trip.async<FVector>("EchoVector", FVector{4, 5, 6});
     });
     const auto original_of = [](const auto& get) -> std::optional<spear::ErrorInfo> {

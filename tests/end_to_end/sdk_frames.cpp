@@ -290,4 +290,3 @@ TEST_CASE("G10: between transactions the engine ticks, also while the world is p
     client.transact([&] { CHECK(statics.call<bool>("IsGamePaused")); });
     client.transact([&] { statics.call("SetGamePaused", false); });
 }
-

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The limits of spear/limits.hpp: each one is exceeded, gives its error, and leaves the engine and other clients as they
-// were. (limits::default_deadline_ms and limits::game_thread_wake_ms are no limits of what a client may do.)
+// The limits of spear/limits.hpp: each one is exceeded, gives its error, and leaves the engine and other clients as
+// they were. (limits::default_deadline_ms and limits::game_thread_wake_ms are no limits of what a client may do.)
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -193,7 +193,8 @@ TEST_CASE("limits: max_type_weight: a few announcements that describe a value of
     RawClient client;
     REQUIRE(client.connected());
     Batch batch;
-    announce(batch, 64, {spear::TypeKind::structure, "FVector", "", 0, 0, {{"X", types::f64}, {"Y", types::f64}}, {}, 1});
+    announce(
+        batch, 64, {spear::TypeKind::structure, "FVector", "", 0, 0, {{"X", types::f64}, {"Y", types::f64}}, {}, 1});
     for (spear::TypeId number = 65; number < 65 + 40; ++number)
         announce(batch, number,
             {spear::TypeKind::structure, "FVector", "", 0, 0, {{"X", number - 1}, {"Y", number - 1}}, {}, 1});

@@ -14,7 +14,7 @@ import spear
 @pytest.fixture(scope="session")
 def round_trip(build_directory: Path) -> Iterator[spear.Instance]:
     """Shared by the tests that need types of all kinds."""
-    with spear.launch(scene="apartment", fixed_dt=0.01, fps=0, arguments=["--plugin-dir", str(build_directory / "test_plugins")]) as running:
+    with spear.launch(scene="apartment", fixed_dt=0.01, fps=500, arguments=["--plugin-dir", str(build_directory / "test_plugins")]) as running:
         yield running
 
 

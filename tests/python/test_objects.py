@@ -189,3 +189,15 @@ def test_destroyed_actors_linger_but_are_stale(instance: spear.Instance, game: s
         assert game.find_actors_by_name("Lingering") == []
     with instance.end_frame():
         pass
+
+
+def test_copies_share_the_object(in_block: spear.Game) -> None:
+    import copy
+
+    actor = in_block.spawn_actor("ACameraActor")
+    assert copy.copy(actor) is actor and copy.deepcopy({"a": [actor]}) == {"a": [actor]}
+    hit = spear.structs.struct_class("FHitResult")(Time=0.5, HitObjectHandle=actor)
+    assert hit.copy() == hit and hit.copy().HitObjectHandle == actor
+    with pytest.raises(TypeError, match="cannot create 'UnrealObject' instances"):
+        spear.UnrealObject()
+    in_block.destroy_actor(actor)

@@ -47,6 +47,7 @@ def build_scene(game: spear.Game) -> list[spear.UnrealObject]:
         motion = add(ball, "UProjectileMovementComponent")
         speed = random.RandomFloatInRange(Min=50.0, Max=150.0)
         motion.set("bRotationFollowsVelocity", i % 2 == 0)
+        motion.set("ProjectileGravityScale", 0.02)  # they stay above the world's KillZ
         motion.set("Velocity", spear.FVector(speed, 7.0 * i, 300))
         wheel = spawn(50.0 * i, 300, 100)
         rotation = add(wheel, "URotatingMovementComponent")

@@ -69,7 +69,7 @@ class Growth:
 
     def leaks(self) -> list[str]:
         """What grew in every part, in words."""
-        limit = 0.25 + 2000 / self.part  # bytes per call
+        limit = 0.25 + 8000 / self.part  # bytes per call; few calls tell less, as caches still fill
         found = [f"{what}: {self.steady(what):.2f} bytes per call" for what in ("client", "engine") if self.steady(what) > limit]
         if self.steady("blocks") > 0.01 + 50 / self.part:
             found.append(f"Python: {self.steady('blocks'):.3f} blocks per call")

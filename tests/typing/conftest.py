@@ -108,5 +108,5 @@ def emit_stubs(schemas: list[Path], folder: Path) -> str:
 @pytest.fixture(scope="session")
 def round_trip_engine(build_directory: Path) -> Iterator[spear.Instance]:
     """An engine with the test module RoundTrip."""
-    with spear.launch(scene="apartment", fixed_dt=0.01, fps=0, arguments=["--plugin-dir", str(build_directory / "test_plugins")]) as running:
+    with spear.launch(scene="apartment", fixed_dt=0.01, fps=500, arguments=["--plugin-dir", str(build_directory / "test_plugins")]) as running:
         yield running

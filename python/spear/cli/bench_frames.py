@@ -18,7 +18,6 @@ from typing import Any
 import click
 
 import spear
-from spear.cli import bench_actors
 from spear.cli.frame_log import FrameLog
 from spear.programs import build_directory, find_program
 
@@ -51,6 +50,7 @@ def frames(
       spear bench frames --part transactions --transactions 2000
       spear bench frames --part rate --rounds 3 --seconds 2
       spear bench frames --json > frames.json
+      chrt -f 20 spear bench frames      on a machine with other work: client and engine take precedence
     """
     load_before = os.getloadavg()
     results: dict[str, Any] = {}
@@ -71,6 +71,8 @@ def frames(
             with _engine("apartment", 60.0) as (instance, log):
                 results["rate"] = _measure_rates(instance, log, rounds, seconds, work_ms, progress)
         if "actors" in parts:
+            from spear.cli import bench_actors  # needs NumPy
+
             with _engine("", 0.0) as (instance, _):
                 results["actors"] = bench_actors.measure(instance)
                 progress.update(1)

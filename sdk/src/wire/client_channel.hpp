@@ -41,7 +41,7 @@ private:
     const std::unique_ptr<ChannelRegion> region_;
     ChannelHeader& header_;
     std::mutex write_mutex_;
-    TrafficCounter sent_; // counted under write_mutex_
+    TrafficCounter sent_;     // counted under write_mutex_
     TrafficCounter received_; // counted by who takes
     ChannelWriter writer_;
     std::atomic<bool> wants_room_{false};

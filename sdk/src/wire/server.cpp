@@ -145,7 +145,10 @@ public:
     }
 
     void run() { stopped_.wait(io_.waitScope); }
-    void stop() { stop_->fulfill(); }
+    /// Answers that were given before still go out.
+    void stop() {
+        tasks_.add(kj::evalLast([this] { stop_->fulfill(); }));
+    }
 
     // What sessions ask for.
     void connect(std::uint64_t connection, ConnectContext context);

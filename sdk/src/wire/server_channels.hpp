@@ -78,7 +78,7 @@ private:
 
     std::mutex read_mutex_; ///< the reader of the moment
     ChannelReader reader_;
-    bool dropped_ = false; ///< under read_mutex_
+    bool dropped_ = false;    ///< under read_mutex_
     TrafficCounter received_; ///< counted under read_mutex_
 
     std::mutex write_mutex_;

@@ -87,7 +87,8 @@ TSpearResult<FServerOptions> ReadOptions() {
             static_cast<uint32>(std::max(LeaseMs, 0)), spear::limits::min_lease_ms, spear::limits::max_lease_ms);
     }
     int64 QueuedBytes = 0;
-    if (FParse::Value(FCommandLine::Get(), TEXT("-SpearQueuedBytes="), QueuedBytes)) { // for machines with little memory
+    if (FParse::Value(
+            FCommandLine::Get(), TEXT("-SpearQueuedBytes="), QueuedBytes)) { // for machines with little memory
         Options.MaxQueuedBytes = static_cast<std::size_t>(
             std::clamp(QueuedBytes, int64{1} << 20, static_cast<int64>(spear::limits::max_queued_bytes)));
     }

@@ -70,7 +70,8 @@ void SetUpLog(const FLaunchOptions& Options) {
         if (File->IsOpened()) {
             GLog->AddOutputDevice(File);
         } else {
-            UE_LOG(LogLaunch, Warning, TEXT("The log file '%s' cannot be opened for writing; there is no log file"), *ToFString(Options.LogFile));
+            UE_LOG(LogLaunch, Warning, TEXT("The log file '%s' cannot be opened for writing; there is no log file"),
+                *ToFString(Options.LogFile));
             delete File;
         }
     }

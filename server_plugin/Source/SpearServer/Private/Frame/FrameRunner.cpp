@@ -6,6 +6,7 @@
 
 #include "Reflection/ClassLookup.h"
 #include "Services/EngineFacts.h"
+#include "Services/Services.h"
 
 #include "HAL/ThreadHeartBeat.h"
 #include "Misc/CoreDelegates.h"
@@ -258,6 +259,7 @@ void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
     Message.answers = {reinterpret_cast<const uint8*>(Answers.buffer.data()), Answers.buffer.size()};
     Message.frame = GFrameCounter;
     spear_server_reply(Server, Batch.Session, Batch.Request, &Message);
+    ExitIfAsked();
 }
 
 void FFrameRunner::ReplyError(const FBatch& Batch, const ErrorInfo& Error) {

@@ -121,8 +121,8 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         std::optional<ErrorInfo> TooMuch;
         if (Entry->QueuedBytes + Message.operations.size > MaxQueuedBytes) {
             TooMuch = MakeError(ErrorCode::LimitExceeded,
-                "the session has too many bytes queued (limits::max_queued_bytes = " +
-                    std::to_string(MaxQueuedBytes) + "); wait for answers before submitting more");
+                "the session has too many bytes queued (limits::max_queued_bytes = " + std::to_string(MaxQueuedBytes) +
+                    "); wait for answers before submitting more");
         } else if (Shape.Operations > spear::limits::max_operations_per_block) {
             TooMuch =
                 MakeError(ErrorCode::LimitExceeded, "a batch of " + std::to_string(Shape.Operations) +

@@ -137,6 +137,7 @@ void FServer::OnSubmit(void* User, uint64_t Session, uint64_t Request, const spe
             reinterpret_cast<const std::byte*>(Batch->operations.data), Batch->operations.size};
         RunOnServerThread(Operations, Server.Inbox.EntryPointsOf(Session), Answers);
         Send(Wire, Session, Request, Answers, Server.Inbox.GetFrame());
+        ExitIfAsked();
         return;
     }
     case FInbox::FVerdict::Refused:

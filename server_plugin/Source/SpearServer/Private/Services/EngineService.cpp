@@ -11,6 +11,8 @@
 
 #include "spear/entry_points/engine_service.hpp"
 
+#include <atomic>
+
 namespace SpearServer {
 
 namespace {
@@ -20,7 +22,15 @@ std::function<uint64()>& GetHolderQuery() {
     return Query;
 }
 
+std::atomic<bool> ExitAsked{false};
+
 } // namespace
+
+void ExitIfAsked() {
+    if (ExitAsked.load(std::memory_order_relaxed) && ExitAsked.exchange(false)) {
+        FPlatformMisc::RequestExit(false);
+    }
+}
 
 void SetHolderQuery(std::function<uint64()> InGetHolder) { GetHolderQuery() = std::move(InGetHolder); }
 uint64 GetHolderOfEngine() { return GetHolderQuery() ? GetHolderQuery()() : 0; }
@@ -37,7 +47,7 @@ void BindEngineService() {
         [](FOperation&) -> TSpearResult<std::uint64_t> { return std::uint64_t{GetEngineFacts().frame}; });
 
     Bind(service::request_exit, [](FOperation&) -> FStatus {
-        FPlatformMisc::RequestExit(false);
+        ExitAsked = true; // see ExitIfAsked
         return {};
     });
 

@@ -22,8 +22,7 @@ struct FLogCategoryBase {
     ELogVerbosity::Type GetVerbosity() const { return Verbosity.load(std::memory_order_relaxed); }
     void SetVerbosity(ELogVerbosity::Type NewVerbosity) {
         const int32 Wanted = NewVerbosity & ELogVerbosity::VerbosityMask;
-        Verbosity.store(
-            static_cast<ELogVerbosity::Type>(Wanted < CompileTimeVerbosity ? Wanted : CompileTimeVerbosity),
+        Verbosity.store(static_cast<ELogVerbosity::Type>(Wanted < CompileTimeVerbosity ? Wanted : CompileTimeVerbosity),
             std::memory_order_relaxed);
     }
     ELogVerbosity::Type GetCompileTimeVerbosity() const { return CompileTimeVerbosity; }
