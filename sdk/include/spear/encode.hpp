@@ -13,6 +13,7 @@
 //   boolean         u8 0 or 1                       dict      u32 n, n x (string, value)
 //   i8 ... f64      the number                      map       u32 n, n x (value, value)
 //   string          u32 bytes, UTF-8                future    u64 number of an earlier operation of the session
+//   handle          u64 handle: an object without its class, from the client
 //   bytes           u32 bytes, raw                  object    u64 handle (0 is null), u32 announced class (0 if null)
 //   announced struct:  its fields in order, each without type number (unless the field's type is `any`)
 //   announced array/set: u32 n, n payloads     announced map: u32 n, n x (payload, payload)     announced enum: i64
@@ -43,8 +44,8 @@ using TypeId = std::uint32_t;
 
 namespace types {
 inline constexpr TypeId null = 0, boolean = 1, i8 = 2, i16 = 3, i32 = 4, i64 = 5, u8 = 6, u16 = 7, u32 = 8, u64 = 9, f32 = 10, f64 = 11, string = 12,
-                        bytes = 13, object = 14, any = 15, future = 16, list = 17, dict = 18, map = 19;
-inline constexpr TypeId last_builtin = 19;
+                        bytes = 13, object = 14, any = 15, future = 16, list = 17, dict = 18, map = 19, handle = 20;
+inline constexpr TypeId last_builtin = 20;
 inline constexpr TypeId first_client_type = 64;
 inline constexpr TypeId first_server_type = 0x8000'0000u;
 } // namespace types
@@ -55,7 +56,7 @@ constexpr std::size_t fixed_size(TypeId type) {
     case types::boolean: case types::i8: case types::u8: return 1;
     case types::i16: case types::u16: return 2;
     case types::i32: case types::u32: case types::f32: return 4;
-    case types::i64: case types::u64: case types::f64: case types::future: return 8;
+    case types::i64: case types::u64: case types::f64: case types::future: case types::handle: return 8;
     case types::object: return 12;
     default: return 0;
     }
@@ -432,6 +433,18 @@ inline std::size_t begin_operation(Encoder& out, std::uint64_t number, std::uint
 inline void end_operation(Encoder& out, std::size_t at) {
     out.patch(at, static_cast<std::uint32_t>(out.buffer.size() - at - sizeof(std::uint32_t)));
 }
+/// All of an operation.
+inline void put_operation(Encoder& out, std::uint64_t number, std::uint16_t entry_point, OperationFlags flags, const std::byte* arguments, std::size_t size) {
+    std::byte* const at = out.buffer.extend(OperationHeader::size + size);
+    const auto bytes = static_cast<std::uint32_t>(size);
+    std::memcpy(at, &number, 8);
+    std::memcpy(at + 8, &entry_point, 2);
+    std::memcpy(at + 10, &flags, 1);
+    std::memcpy(at + 11, &bytes, 4);
+    if (size != 0) {
+        std::memcpy(at + 15, arguments, size);
+    }
+}
 inline OperationHeader decode_operation_header(Decoder& in) {
     OperationHeader header;
     header.number = in.get<std::uint64_t>();
@@ -443,6 +456,10 @@ inline OperationHeader decode_operation_header(Decoder& in) {
     }
     return header;
 }
+
+/// A batch's releases are numbers of operations whose results the server forgets. One with this bit is the first of a range, and the
+/// next entry says how many numbers it has.
+inline constexpr std::uint64_t release_range = std::uint64_t{1} << 63;
 
 /// pending: a latent function has begun; the error in its payload is what a client raises that cannot wait for it
 /// (engine_service.wait_for_result).

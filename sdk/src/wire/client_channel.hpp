@@ -23,6 +23,8 @@ public:
     bool flush();
 
     // One thread at a time, as in spear_wire.h.
+    bool call(const spear_call& call);
+    int take_call(bool spin, spear_call_answer& answer);
     int take(std::uint64_t& request, spear_answers& answers);
     void wait(std::uint32_t wakes, std::uint32_t timeout_us);
 
@@ -34,6 +36,10 @@ public:
 
 private:
     void wake_server(bool block);
+    bool is_call_answered() const noexcept {
+        return is_calling_.load(std::memory_order_relaxed) &&
+               load_acquire(&header_.answer.sequence) == calls_.load(std::memory_order_relaxed);
+    }
 
     const std::unique_ptr<ChannelRegion> region_;
     ChannelHeader& header_;
@@ -42,6 +48,9 @@ private:
     std::atomic<bool> wants_room_{false};
     ChannelReader reader_;
     std::string error_text_; ///< of the answers taken last
+    std::atomic<std::uint32_t> calls_{0};     ///< sequence of the last call
+    std::atomic<bool> is_calling_{false};     ///< its answer was not taken yet
+    std::uint8_t answer_[sizeof(ChannelCallAnswer::answer)]; ///< the answer to a call that was taken last
     std::atomic<std::uint32_t> wakes_{0};
     Spinner spinner_;
 };

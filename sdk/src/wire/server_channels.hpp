@@ -55,9 +55,15 @@ public:
     // Game thread.
     void claim() noexcept;
     void release() noexcept;
-    /// Waits for the client or wake_game_thread(), as long as `idle` is true.
+    /// Waits for the client or wake_game_thread(), as long as `idle` is true; says in `sleeps` when it does not spin.
     template <typename F>
-    void wait(std::uint32_t timeout_us, F&& idle);
+    void wait(std::uint32_t timeout_us, F&& idle, std::atomic<bool>& sleeps);
+    bool has_call() const noexcept { return load_acquire(&header_.call.sequence) == calls_ + 1; }
+    /// Takes the call that has arrived; false, and the session ends, if it is none.
+    bool take_call(spear_call& call);
+    void answer_call(const spear_call_answer& answer);
+    /// Ends the session if it has made a call that nobody may take now.
+    void refuse_call();
     /// Any thread.
     void wake_game_thread() noexcept { wake_sleeper(&header_.game_thread_sleeps); }
 
@@ -83,6 +89,9 @@ private:
     std::atomic<bool> wants_room_{false};
 
     std::unique_ptr<Spinner> spinner_; ///< game thread
+    std::uint32_t calls_ = 0;          ///< game thread: taken
+    std::uint64_t call_number_ = 0;    ///< game thread: of the one taken last
+    alignas(16) std::uint8_t call_[sizeof(ChannelCall::arguments)]; ///< game thread: likewise
     std::thread watcher_;
 };
 
@@ -105,12 +114,15 @@ public:
     // Game thread.
     void poll();
     void wait(std::uint64_t session, std::uint32_t timeout_ms);
+    bool wait_call(std::uint64_t session, std::uint32_t timeout_ms, spear_call& call);
+    void answer_call(std::uint64_t session, const spear_call_answer& answer);
     void release();
     /// Any thread: ends a wait().
     void wake();
 
 private:
     std::shared_ptr<ServerChannel> find(std::uint64_t session) const;
+    void claim(std::uint64_t session);
 
     const ChannelEvents events_;
     mutable std::mutex mutex_;

@@ -72,7 +72,8 @@ void FFrameRunner::OnBeginFrame() {
             break;
         } else if (!Hold(Holders.front(),
                        "single_step: the engine waits at the beginning of a frame for the client's next "
-                       "begin_frame block")) {
+                       "begin_frame block",
+                       false)) {
             Holders.clear();
         }
     }
@@ -95,6 +96,7 @@ void FFrameRunner::OnEndFrame() {
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
+    CallsInBlock = 0;
     for (;;) {
         if (std::optional<FBatch> Batch = Inbox.TakeBatch(SessionId, Block)) {
             RunAndReply(std::move(*Batch));
@@ -107,7 +109,8 @@ bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
             Block == EBlock::Begin
                 ? "an open begin_frame block: the engine waits at the beginning of a frame for the block to close"
                 : "a transaction between begin_frame and the end of end_frame: the engine waits at the end of the "
-                  "frame");
+                  "frame",
+            true);
         if (!bGoesOn) {
             return false;
         }
@@ -127,15 +130,72 @@ void FFrameRunner::EndTransaction(uint64 SessionId) {
     }
 }
 
-bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
+bool FFrameRunner::Hold(uint64 SessionId, const char* Reason, bool bInBlock) {
     if (IsEngineExitRequested()) {
         return false;
     }
     SetHolder(SessionId, Reason);
-    spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+    if (bInBlock) {
+        TakeCalls(SessionId);
+    } else {
+        spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+    }
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
     return true;
+}
+
+/// Runs the session's calls, one after the other, until there is something else to do.
+void FFrameRunner::TakeCalls(uint64 SessionId) {
+    constexpr int32 MostAtOnce = 1000; // then the heartbeat is due
+    for (int32 Count = 0; Count < MostAtOnce; ++Count) {
+        spear_call Call{};
+        if (!spear_server_wait_call(Server, SessionId, spear::limits::game_thread_wake_ms, &Call)) {
+            return;
+        }
+        RunAndAnswer(SessionId, Call);
+        if (Inbox.HasFreeBatches() || !Parked.empty() || IsEngineExitRequested()) {
+            return;
+        }
+    }
+}
+
+void FFrameRunner::RunAndAnswer(uint64 SessionId, const spear_call& Call) {
+    KeepHouse();
+    FSession* Session = FindSession(SessionId);
+    if (!Session) {
+        return;
+    }
+    if (!Session->IsEntryPoint(Call.entry_point)) {
+        spear_server_drop(Server, SessionId,
+            "MalformedMessage: a call names an entry point that was not agreed at connect");
+        return;
+    }
+    bool bSucceeded = false;
+    if (++CallsInBlock > spear::limits::max_operations_per_block) {
+        CallAnswer.buffer.clear();
+        spear::encode_error(CallAnswer, MakeError(ErrorCode::LimitExceeded,
+                                            "a block of more than limits::max_operations_per_block = " +
+                                                std::to_string(spear::limits::max_operations_per_block) +
+                                                " operations"));
+    } else {
+        bRunning = true;
+        bSucceeded = RunCall(*Session, Call.number, Session->EntryPointOf(Call.entry_point),
+            {reinterpret_cast<const std::byte*>(Call.arguments.data), Call.arguments.size}, CallAnswer);
+        bRunning = false;
+    }
+    spear_call_answer Answer{};
+    Answer.frame = GFrameCounter;
+    Answer.failed = !bSucceeded;
+    Answer.value = {reinterpret_cast<const uint8*>(CallAnswer.buffer.data()), CallAnswer.buffer.size()};
+    if (Session->TypeNumbers.HasPending()) {
+        const spear::ByteBuffer Types = Session->TypeNumbers.TakePending();
+        Answer.types = {reinterpret_cast<const uint8*>(Types.data()), Types.size()};
+        spear_server_answer_call(Server, SessionId, &Answer);
+    } else {
+        spear_server_answer_call(Server, SessionId, &Answer);
+    }
+    SweepIfNeeded();
 }
 
 // Batches
@@ -172,8 +232,13 @@ void FFrameRunner::ApplyNews(FSession& Session) {
         spear_server_drop(
             Server, Session.GetId(), "MalformedMessage: the announced types are malformed, out of order, or too many");
     }
-    for (const uint64 Number : News.Releases) {
-        Session.ReleaseKept(Number);
+    for (std::size_t Index = 0; Index < News.Releases.size(); ++Index) {
+        const uint64 First = News.Releases[Index];
+        if ((First & spear::release_range) != 0 && Index + 1 < News.Releases.size()) {
+            Session.Kept.Release(First & ~spear::release_range, News.Releases[++Index]);
+        } else {
+            Session.Kept.Release(First, 1);
+        }
     }
 }
 
@@ -222,18 +287,21 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
     if (!Session) {
         return;
     }
-    FRunningBatch Running{std::move(Batch), 0, {}};
+    InBlock.Batch = std::move(Batch);
+    InBlock.Offset = 0;
+    InBlock.Answers.buffer.clear();
     bRunning = true;
-    RunBatch(*Session, Running); // operations of a block are never parked
+    RunBatch(*Session, InBlock); // operations of a block are never parked
     bRunning = false;
+    Inbox.NoteRun(InBlock.Batch);
+    Reply(InBlock.Batch, InBlock.Answers);
+    Session->Kept.EndBatch(InBlock.Answers.buffer);
     SweepIfNeeded();
-    Inbox.NoteRun(Running.Batch);
-    Reply(Running.Batch, Running.Answers);
 }
 
 void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
     spear::ByteBuffer Types;
-    if (FSession* Session = FindSession(Batch.Session)) {
+    if (FSession* Session = FindSession(Batch.Session); Session && Session->TypeNumbers.HasPending()) {
         Types = Session->TypeNumbers.TakePending();
     }
     spear_answers Message{};
