@@ -58,7 +58,7 @@ from spear.errors import (
     WrongType,
 )
 from spear.game import Game
-from spear.instance import Frame, Instance, connect, launch
+from spear.instance import Frame, Instance, Statistics, Traffic, connect, launch
 from spear.results import Result
 from spear.structs import FColor, FLinearColor, FQuat, FRotator, FTransform, FVector, FVector2D, FVector4, Struct
 from spear.unreal_classes import cast
@@ -71,8 +71,8 @@ __all__ = [
     "EngineExited", "EngineNotRunning", "Error", "FColor", "FLinearColor", "FQuat", "FRotator", "FTransform", "FVector", "FVector2D",
     "FVector4", "Frame", "FrameError", "FrameMisuse", "Future", "FutureObject", "Game", "HeldByClient", "Instance", "InternalError",
     "LaunchFailed", "LimitExceeded", "LookupFailed", "MalformedMessage", "Member", "MissingArgument", "NeedsFrames", "NotCallable",
-    "NotInFrame", "NullObject", "ObjectBase", "ObjectError", "OutOfRange", "ReadOnly", "Result", "SpawnFailed", "StaleObject", "Struct",
-    "TransactionAborted", "Unauthorized", "UnknownArgument", "UnknownClass", "UnknownEntryPoint", "UnknownFunction", "UnknownObject",
+    "NotInFrame", "NullObject", "ObjectBase", "ObjectError", "OutOfRange", "ReadOnly", "Result", "SpawnFailed", "StaleObject", "Statistics", "Struct",
+    "Traffic", "TransactionAborted", "Unauthorized", "UnknownArgument", "UnknownClass", "UnknownEntryPoint", "UnknownFunction", "UnknownObject",
     "UnknownProperty", "UnrealEnum", "UnrealFlags", "UnrealObject", "VersionMismatch", "WaitError", "WrongThread", "WrongType",
     "__version__", "cast", "connect", "launch",
 ]

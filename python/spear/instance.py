@@ -6,14 +6,41 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from spear import _native, facts, naming
 from spear._native import SYNC
 from spear.game import Game
+from spear.trace import Trace
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+
+class Traffic(NamedTuple):
+    """Messages one way: batches of operations, or answers to them (one each)."""
+
+    messages: int
+    bytes: int
+    """Of what is in the messages (operations, values, announcements), without the transport's envelope."""
+
+
+class Statistics(NamedTuple):
+    """What a session has moved so far, counted at both ends where messages are written and read.
+
+    Lease, status and the question for these numbers are not counted.
+    """
+
+    sent: Traffic
+    """By this client."""
+    received: Traffic
+    """By this client."""
+    server_received: Traffic
+    """By the server, from this client."""
+    server_sent: Traffic
+    """By the server, to this client."""
+    kept_results: int
+    """Results that the engine keeps because futures of this session name them; it hears of dropped futures with the next message."""
 
 
 class Frame:
@@ -114,6 +141,19 @@ class Instance:
         """Whether operations go through shared memory."""
         return self._session.uses_channel
 
+    def statistics(self) -> Statistics:
+        """Messages and bytes that have travelled so far, and results that the engine keeps. Answered also while the engine is held."""
+        *traffic, kept = self._session.statistics()
+        return Statistics(*(Traffic(*one) for one in traffic), kept)
+
+    def trace(self, file: str | os.PathLike[str], *, operations: bool = False, events_per_thread: int = 0) -> Trace:
+        """Records what this program and the engine do until the end of the ``with`` block, for ui.perfetto.dev or chrome://tracing.
+
+        ``operations``: each single operation as well. ``events_per_thread``: room for so many; what finds none is dropped and counted (0: 262144).
+        Raises ArgumentError while this program is being recorded already.
+        """
+        return Trace(self._session, file, operations, events_per_thread)
+
     def is_running(self) -> bool:
         """Whether the session still stands."""
         return self._session.is_open
@@ -153,20 +193,22 @@ def connect(
 
 def launch(
     scene: str = "apartment", *, executable: str | os.PathLike[str] = "", arguments: Sequence[str] = (), fps: float | None = None,
-    fixed_dt: float | None = None, address: str = "", paused: bool = False, log_file: str | os.PathLike[str] = "",
-    lease: float | str | None = None, deadline: float | None = None, timeout: float = 60.0,
+    fixed_dt: float | None = None, address: str = "", token: bytes | str = b"", paused: bool = False, log_file: str | os.PathLike[str] = "",
+    lease: float | str | None = None, deadline: float | None = None, timeout: float = 60.0, channel: bool = True, spin: bool = True,
 ) -> Instance:
     """Starts an engine and connects to it; it ends when the instance is closed, or this program does.
 
     ``executable``: any Unreal application with the plugin; the embedded engine if empty. ``fps``: the frame rate to keep, 0 for as fast
     as possible. ``fixed_dt``: seconds of simulated time per frame, whatever the clock says. ``arguments``: more of the engine's own.
+    ``address``: where the engine listens, ``unix:/path`` or ``tcp://host:port`` (port 0: any); empty: a private Unix socket. ``token``: what clients
+    must give; for an address that other machines can reach a random one is made if it is empty. The others are as for :func:`connect`.
     Raises LaunchFailed, EngineExited (with the last lines of the log), EngineNotRunning.
     """
     return Instance(_native.launch(
         scene=scene, executable=os.fspath(executable) or _default_engine(), arguments=list(arguments), fps=-1.0 if fps is None else float(fps),
         fixed_dt=0.0 if fixed_dt is None else float(fixed_dt), address=address, paused=paused, log_file=os.fspath(log_file),
-        lease_ms=_lease_ms(lease), deadline_ms=0 if deadline is None else max(1, round(deadline * 1000)),
-        timeout_ms=max(1, round(timeout * 1000)),
+        token=token.encode() if isinstance(token, str) else token, lease_ms=_lease_ms(lease),
+        deadline_ms=0 if deadline is None else max(1, round(deadline * 1000)), timeout_ms=max(1, round(timeout * 1000)), channel=channel, spin=spin,
     ))
 
 

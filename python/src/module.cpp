@@ -70,8 +70,12 @@ nb::object connect_python(const std::string& address, nb::bytes token, std::uint
 
 nb::object launch_python(const std::string& scene, const std::string& executable,
     const std::vector<std::string>& arguments, double fps, double fixed_dt, const std::string& address, bool paused,
-    const std::string& log_file, std::uint32_t lease_ms, std::uint32_t deadline_ms, std::uint32_t timeout_ms) {
+    const std::string& log_file, nb::bytes token, std::uint32_t lease_ms, std::uint32_t deadline_ms,
+    std::uint32_t timeout_ms, bool channel, bool spin) {
     LaunchOptions options;
+    options.token.assign(static_cast<const char*>(token.data()), token.size());
+    options.channel = channel;
+    options.spin = spin;
     options.scene = scene;
     options.executable = executable;
     options.arguments = arguments;
@@ -95,12 +99,30 @@ nb::object launch_python(const std::string& scene, const std::string& executable
     return wrap(std::move(*instance));
 }
 
+nb::tuple statistics_python(PySession& self) {
+    Session::Statistics found;
+    {
+        const nb::gil_scoped_release unlock;
+        found = self.session()->statistics();
+    }
+    const auto traffic = [](const Session::Traffic& one) { return nb::make_tuple(one.messages, one.bytes); };
+    return nb::make_tuple(traffic(found.sent), traffic(found.received), traffic(found.server_received),
+        traffic(found.server_sent), found.kept_results);
+}
+
 nb::list list_engines() {
     nb::list engines;
     spear_list_engines(nullptr, &engines, [](void* user, const char* address, std::uint64_t process_id) {
         static_cast<nb::list*>(user)->append(nb::make_tuple(address, process_id));
     });
     return engines;
+}
+
+nb::list remove_leftovers(bool logs_too) {
+    nb::list removed;
+    spear_remove_leftovers(nullptr, logs_too, &removed,
+        [](void* user, const char* path) { static_cast<nb::list*>(user)->append(path); });
+    return removed;
 }
 
 nb::dict describe_engine(const std::string& address, std::uint32_t timeout_ms) {
@@ -120,8 +142,24 @@ nb::dict describe_engine(const std::string& address, std::uint32_t timeout_ms) {
     result["scene"] = description.scene;
     result["process_id"] = description.process_id;
     result["sessions"] = description.sessions;
+    result["project"] = description.project;
+    result["frame"] = description.frame;
+    result["uptime"] = static_cast<double>(description.uptime_ms) / 1000;
     return result;
 }
+
+/// A recording; its end does not wait for the engine with Python's lock held.
+struct PyTrace {
+    std::unique_ptr<Trace> trace;
+
+    explicit PyTrace(std::unique_ptr<Trace> made) : trace(std::move(made)) {}
+    PyTrace(const PyTrace&) = delete;
+    PyTrace& operator=(const PyTrace&) = delete;
+    ~PyTrace() {
+        const nb::gil_scoped_release unlock;
+        trace.reset();
+    }
+};
 
 void setup(const nb::kwargs& given) {
     const auto take = [&](const char* name) { return Py_NewRef(nb::object(given[name]).ptr()); };
@@ -224,6 +262,7 @@ NB_MODULE(_native, module) {
                 const EngineProcess* process = self.instance().process();
                 return process ? std::optional(process->process_id()) : std::nullopt;
             })
+        .def("statistics", &statistics_python)
         .def_prop_ro("uses_channel", [](PySession& self) { return self.session()->uses_channel(); })
         .def_prop_ro("is_open", [](PySession& self) { return self.session()->is_open(); })
         .def("begin_block", &PySession::begin_block)
@@ -251,9 +290,26 @@ NB_MODULE(_native, module) {
         nb::arg("deadline_ms"), nb::arg("timeout_ms"), nb::arg("channel"), nb::arg("spin"));
     module.def("launch", &launch_python, nb::kw_only(), nb::arg("scene"), nb::arg("executable"), nb::arg("arguments"),
         nb::arg("fps"), nb::arg("fixed_dt"), nb::arg("address"), nb::arg("paused"), nb::arg("log_file"),
-        nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"));
+        nb::arg("token"), nb::arg("lease_ms"), nb::arg("deadline_ms"), nb::arg("timeout_ms"), nb::arg("channel"),
+        nb::arg("spin"));
+    nb::class_<PyTrace>(module, "Trace")
+        .def("__init__",
+            [](PyTrace* self, PySession& session, const std::string& file, bool operations, std::uint64_t events) {
+                const nb::gil_scoped_release unlock;
+                TraceOptions options{.file = file, .operations = operations};
+                if (events != 0)
+                    options.events_per_thread = events;
+                new (self) PyTrace{std::make_unique<Trace>(session.session(), std::move(options))};
+            },
+            nb::arg("session"), nb::arg("file"), nb::arg("operations"), nb::arg("events_per_thread"))
+        .def("stop", [](PyTrace& self) {
+            const nb::gil_scoped_release unlock;
+            self.trace->stop();
+        });
+
     module.def("list_engines", &list_engines);
     module.def("describe_engine", &describe_engine, nb::arg("address"), nb::arg("timeout_ms"));
+    module.def("remove_leftovers", &remove_leftovers, nb::arg("logs_too"));
     module.def("setup", &setup);
 }
 

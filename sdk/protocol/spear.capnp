@@ -47,6 +47,9 @@ struct Description {
   scene @2 :Text;
   processId @3 :UInt64;
   sessions @4 :UInt32;
+  project @5 :Text;
+  frame @6 :UInt64;
+  uptimeMs @7 :UInt64;          # since the server began to listen
 }
 
 interface Session {
@@ -103,6 +106,11 @@ struct Status {
   holder @2 :Text;              # who holds the engine, if somebody does
   framesAgeMs @3 :UInt32;       # since the last frame began
   detail @4 :Text;
+  batchesReceived @5 :UInt64;   # of this session so far, as the server counts them
+  bytesReceived @6 :UInt64;     # of their types, operations and releases
+  answersSent @7 :UInt64;
+  bytesSent @8 :UInt64;         # of their types and answers
+  keptResults @9 :UInt64;       # results that the engine keeps for this session's futures
 
   enum State {
     running @0;

@@ -46,6 +46,28 @@ Instance connect(std::string_view address, SessionOptions options) {
     return Instance(Session::connect(options));
 }
 
+namespace {
+
+/// At an address that the user chose, another engine may have been first: then the one launched ends by itself.
+void require_own_engine(Session& session, const EngineProcess& process) {
+    const EngineInfo info = session.call(engine_service::get_engine_info);
+    if (process.has_command_line(info.command_line)) {
+        return;
+    }
+    session.close();
+    process.wait(Milliseconds(10'000));
+    if (auto exit = process.describe_exit()) {
+        exit->message = "The engine ended while it was starting. " + exit->message;
+        throw_error(std::move(*exit));
+    }
+    throw_error(ErrorCode::LaunchFailed,
+        fmt::format("Another engine (process {}) serves at {}, not the one that was launched.", info.process_id,
+            process.address()),
+        "launch");
+}
+
+} // namespace
+
 Instance launch(const LaunchOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     auto process = std::make_shared<EngineProcess>(options);
@@ -53,7 +75,10 @@ Instance launch(const LaunchOptions& options) {
         .client_name = options.client_name,
         .lease = options.lease,
         .no_lease = options.no_lease,
-        .deadline = options.deadline};
+        .deadline = options.deadline,
+        .channel = options.channel,
+        .spin = options.spin};
+    session_options.token = process->token();
     Milliseconds pause(5);
     while (true) {
         if (auto exit = process->describe_exit()) {
@@ -63,7 +88,14 @@ Instance launch(const LaunchOptions& options) {
         const auto spent = std::chrono::duration_cast<Milliseconds>(std::chrono::steady_clock::now() - start);
         session_options.connect_timeout = std::max(Milliseconds(1), options.connect_timeout - spent);
         try {
+            if (!process->find_port()) {
+                throw_error(ErrorCode::EngineNotRunning, "The engine does not listen yet.", "launch");
+            }
+            session_options.address = process->address();
             auto session = Session::connect(session_options);
+            if (!options.address.empty()) {
+                require_own_engine(*session, *process);
+            }
             session->set_loss_explainer([weak = std::weak_ptr(process)]() -> std::optional<ErrorInfo> {
                 const auto engine = weak.lock();
                 if (!engine ||

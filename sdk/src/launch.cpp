@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <mutex>
+#include <random>
 #include <thread>
 
 #include <dlfcn.h>
@@ -64,6 +65,29 @@ std::string unique_name() {
     return fmt::format("engine-{}-{}", ::getpid(), ++count);
 }
 
+/// 256 random bits.
+std::string random_token() {
+    std::random_device random;
+    std::string token;
+    for (int i = 0; i < 8; ++i)
+        token += fmt::format("{:08x}", random());
+    return token;
+}
+
+/// Raises LaunchFailed.
+void write_private(const fs::path& file, const std::string& text) {
+    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+    const bool written = descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    const int error = errno;
+    if (descriptor >= 0)
+        ::close(descriptor);
+    if (!written) {
+        throw_error(ErrorCode::LaunchFailed,
+            fmt::format("The file {} for the engine's token cannot be written: {}.", file.string(), std::strerror(error)),
+            "launch");
+    }
+}
+
 std::string last_lines(const fs::path& file, std::size_t lines, std::size_t bytes = 8192) {
     std::ifstream in(file, std::ios::binary | std::ios::ate);
     if (!in)
@@ -90,7 +114,8 @@ std::string describe_status(int status) {
 }
 
 std::vector<std::string> command_line(
-    const LaunchOptions& options, const fs::path& executable, const std::string& address) {
+    const LaunchOptions& options, const fs::path& executable, const std::string& address, const fs::path& token_file,
+    const std::string& mark) {
     std::vector<std::string> line{executable.string()};
     const auto add = [&line](const char* option, std::string value) {
         line.emplace_back(option);
@@ -108,6 +133,10 @@ std::vector<std::string> command_line(
         line.emplace_back("--paused");
     line.insert(line.end(), options.arguments.begin(), options.arguments.end());
     line.push_back("-SpearAddress=" + address);
+    line.emplace_back("-SpearMustListen"); // without, an engine that cannot listen there would run on
+    line.push_back(mark);
+    if (!token_file.empty())
+        line.push_back("-SpearTokenFile=" + token_file.string());
     return line;
 }
 
@@ -155,6 +184,9 @@ struct EngineProcess::Impl {
     fs::path executable;
     fs::path log_file;
     fs::path socket_file; // made for this launch; removed at the end
+    fs::path token_file;  // likewise
+    std::string token;
+    std::string mark; // an argument that no other engine has
     bool is_own_log = false;
     std::vector<std::string> arguments;
 
@@ -248,6 +280,7 @@ void EngineProcess::Impl::run(const std::shared_ptr<Impl>& self) {
 }
 
 EngineProcess::EngineProcess(const LaunchOptions& options) : impl_(std::make_shared<Impl>()) {
+    (void)spear_remove_leftovers(nullptr, 0, nullptr, nullptr);
     impl_->executable = options.executable.empty() ? find_engine_executable() : options.executable;
     const std::string name = unique_name();
     if (options.address.empty()) {
@@ -262,7 +295,17 @@ EngineProcess::EngineProcess(const LaunchOptions& options) : impl_(std::make_sha
     }
     impl_->is_own_log = options.log_file.empty();
     impl_->log_file = impl_->is_own_log ? runtime_directory() / (name + ".log") : options.log_file;
-    impl_->arguments = command_line(options, impl_->executable, impl_->address);
+    impl_->token = options.token;
+    if (impl_->token.empty() && !spear_address_is_local(impl_->address.c_str())) {
+        impl_->token = random_token();
+    }
+    if (!impl_->token.empty()) { // in a file: a command line is for everybody to read
+        impl_->token_file = runtime_directory() / (name + ".token");
+        write_private(impl_->token_file, impl_->token);
+    }
+    impl_->mark = "-SpearLaunch=" + random_token().substr(0, 16);
+    impl_->arguments =
+        command_line(options, impl_->executable, impl_->address, impl_->token_file, impl_->mark);
 
     std::thread(Impl::run, impl_).detach();
     std::unique_lock lock(impl_->mutex);
@@ -279,9 +322,12 @@ EngineProcess::EngineProcess(const LaunchOptions& options) : impl_(std::make_sha
 
 EngineProcess::~EngineProcess() {
     terminate();
+    (void)spear_remove_leftovers(nullptr, 0, nullptr, nullptr); // what it could not remove itself, if it was killed
     std::error_code ignored;
-    if (!impl_->socket_file.empty())
-        fs::remove(impl_->socket_file, ignored);
+    for (const fs::path* const file : {&impl_->socket_file, &impl_->token_file}) {
+        if (!file->empty())
+            fs::remove(*file, ignored);
+    }
     const std::lock_guard lock(impl_->mutex);
     if (impl_->is_own_log) {
         const bool ended_well = WIFEXITED(impl_->exit_status) && WEXITSTATUS(impl_->exit_status) == 0;
@@ -297,8 +343,31 @@ EngineProcess::~EngineProcess() {
 
 const std::filesystem::path& EngineProcess::executable() const noexcept { return impl_->executable; }
 const std::string& EngineProcess::address() const noexcept { return impl_->address; }
+const std::string& EngineProcess::token() const noexcept { return impl_->token; }
 std::int64_t EngineProcess::process_id() const noexcept { return impl_->process_id; }
 const std::filesystem::path& EngineProcess::log_file() const noexcept { return impl_->log_file; }
+
+bool EngineProcess::find_port() {
+    if (!impl_->address.starts_with("tcp:") || !impl_->address.ends_with(":0"))
+        return true;
+    struct Wanted {
+        std::uint64_t process_id;
+        std::string address;
+    } wanted{static_cast<std::uint64_t>(impl_->process_id), {}};
+    spear_list_engines(nullptr, &wanted, [](void* user, const char* address, std::uint64_t process_id) {
+        auto& looked_for = *static_cast<Wanted*>(user);
+        if (process_id == looked_for.process_id)
+            looked_for.address = address;
+    });
+    if (wanted.address.empty())
+        return false;
+    impl_->address = wanted.address;
+    return true;
+}
+
+bool EngineProcess::has_command_line(std::string_view command_line) const {
+    return command_line.find(impl_->mark) != std::string_view::npos;
+}
 
 bool EngineProcess::is_running() const noexcept {
     const std::lock_guard lock(impl_->mutex);

@@ -13,6 +13,7 @@
 #include "spear/aliases.hpp"
 #include "spear/log.hpp"
 #include "spear/version.hpp"
+#include "trace_process.hpp"
 
 namespace spear {
 
@@ -31,6 +32,15 @@ const std::vector<EntryPointRow>& entry_point_rows() {
 namespace {
 
 std::string default_client_name() { return fmt::format("{} (process {})", program_invocation_short_name, ::getpid()); }
+
+/// ", scene apartment" of the engine at an address, for messages; empty if it does not say soon.
+std::string scene_at(const std::string& address) {
+    spear_description description{};
+    spear_wire_error error{};
+    return spear_describe(address.c_str(), 300, &description, &error) == 0 && description.scene[0] != 0
+               ? fmt::format(", scene {}", description.scene)
+               : std::string();
+}
 
 std::uint32_t to_wire(Milliseconds time) {
     return static_cast<std::uint32_t>(
@@ -63,9 +73,10 @@ std::shared_ptr<Session> Session::connect(const SessionOptions& options) {
 
     std::string address = options.address;
     if (address.empty()) { // the only engine of this user that runs
-        std::vector<std::string> found;
-        spear_list_engines(nullptr, &found, [](void* user, const char* engine_address, std::uint64_t) {
-            static_cast<std::vector<std::string>*>(user)->emplace_back(engine_address);
+        using Found = std::vector<std::pair<std::string, std::uint64_t>>;
+        Found found;
+        spear_list_engines(nullptr, &found, [](void* user, const char* engine_address, std::uint64_t process_id) {
+            static_cast<Found*>(user)->emplace_back(engine_address, process_id);
         });
         if (found.empty()) {
             throw_error(ErrorCode::EngineNotRunning,
@@ -73,12 +84,14 @@ std::shared_ptr<Session> Session::connect(const SessionOptions& options) {
                 "connect");
         }
         if (found.size() > 1) {
+            std::string list;
+            for (const auto& [engine_address, process_id] : found) {
+                list += fmt::format("\n  {} (process {}{})", engine_address, process_id, scene_at(engine_address));
+            }
             throw_error(ErrorCode::AmbiguousName,
-                fmt::format(
-                    "{} engines run; give the address of one of them: {}.", found.size(), fmt::join(found, ", ")),
-                "connect");
+                fmt::format("{} engines run; give the address of one of them:{}", found.size(), list), "connect");
         }
-        address = found.front();
+        address = found.front().first;
     }
 
     spear_client_options wire{};
@@ -107,13 +120,16 @@ std::shared_ptr<Session> Session::connect(const SessionOptions& options) {
         impl->client = client;
         impl->has_channel = spear_client_has_channel(client) != 0;
     }
-    return std::shared_ptr<Session>(new Session(std::move(impl)));
+    std::shared_ptr<Session> session(new Session(std::move(impl)));
+    detail::trace_session_connected(session);
+    return session;
 }
 
 void Session::close() noexcept {
     try {
         Impl& impl = *impl_;
         impl.abandon();
+        detail::trace_session_closes(*this);
         spear_client* client = nullptr;
         {
             Impl::Lock lock(impl.mutex);
@@ -151,6 +167,11 @@ void Session::set_deadline(Milliseconds deadline) noexcept { impl_->deadline_ms 
 Session::Status Session::status(Milliseconds timeout) {
     Impl::Lock lock(impl_->mutex);
     return impl_->status(lock, timeout);
+}
+
+Session::Statistics Session::statistics(Milliseconds timeout) {
+    Impl::Lock lock(impl_->mutex);
+    return impl_->statistics(lock, timeout);
 }
 
 void Session::set_loss_explainer(LossExplainer explainer) {

@@ -6,6 +6,7 @@
 
 #include "session_impl.hpp"
 #include "spear/log.hpp"
+#include "spear_trace.h"
 
 namespace spear {
 namespace {
@@ -20,6 +21,7 @@ std::string seconds(Milliseconds time) { return fmt::format("{:g} s", static_cas
 /// numbers.
 /// The batch is empty afterwards.
 std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abort, bool single_step) {
+    const TraceSpan span(SPEAR_TRACE_SEND, session_id, batch.transaction, batch.block);
     ByteBuffer types;
     if (announcer.has_pending()) {
         types = announcer.take_pending();
@@ -139,8 +141,9 @@ void Session::Impl::throw_deadline(Lock& lock, Milliseconds waited, std::string_
     throw_error(code, std::move(text), std::string(what));
 }
 
-Session::Status Session::Impl::status(Lock& lock, Milliseconds timeout) {
-    require_open(lock, "status");
+/// Leaves the lock open.
+spear_status Session::Impl::ask_status(Lock& lock, Milliseconds timeout, const char* what) {
+    require_open(lock, what);
     ++calls_outside;
     lock.unlock();
     spear_status wire{};
@@ -151,11 +154,26 @@ Session::Status Session::Impl::status(Lock& lock, Milliseconds timeout) {
     changed.notify_all();
     if (failed != 0) {
         lock.unlock();
-        throw_error(static_cast<ErrorCode>(error.code), error.message, "status");
+        throw_error(static_cast<ErrorCode>(error.code), error.message, what);
     }
     lock.unlock();
+    return wire;
+}
+
+Session::Status Session::Impl::status(Lock& lock, Milliseconds timeout) {
+    const spear_status wire = ask_status(lock, timeout, "status");
     return {
         static_cast<Status::State>(wire.state), wire.frame, Milliseconds(wire.frames_age_ms), wire.holder, wire.detail};
+}
+
+Session::Statistics Session::Impl::statistics(Lock& lock, Milliseconds timeout) {
+    take_answers();
+    require_open(lock, "statistics");
+    spear_traffic sent{}, received{};
+    spear_client_traffic(client, &sent, &received);
+    const spear_status wire = ask_status(lock, timeout, "statistics");
+    return {{sent.messages, sent.bytes}, {received.messages, received.bytes},
+        {wire.received.messages, wire.received.bytes}, {wire.sent.messages, wire.sent.bytes}, wire.kept_results};
 }
 
 void Session::Impl::wait_for_change(Lock& lock, Clock::time_point until) {
@@ -255,6 +273,11 @@ RawResult Session::Impl::wait_for_result(
     const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline) {
     OperationState& state = *handle.state_;
     if (!state.is_done()) {
+        TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, state.number);
+        if (span.is_on() && SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS) {
+            const std::string name = describe(state);
+            span.set_text(name.data(), name.size());
+        }
         Lock lock(mutex);
         const Milliseconds limit = wanted_deadline.value_or(deadline());
         if (!wait_until_done(lock, state, Clock::now() + limit)) {
@@ -315,6 +338,7 @@ void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     const std::uint64_t request = last_request[static_cast<std::size_t>(kind)];
     take_answers();
     if (request != 0 && in_flight.contains(request)) {
+        const TraceSpan span(SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
         wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
     }
 }
@@ -341,6 +365,17 @@ void Session::Impl::open(BlockKind kind) {
     block.clear();
     block.transaction = transaction;
     block.block = static_cast<std::uint8_t>(kind);
+    block_opened_ns = SPEAR_TRACE_LEVEL() != SPEAR_TRACE_OFF ? spear_trace_now() : 0;
+}
+
+/// The user's code in the block that closes now, for traces.
+void Session::Impl::trace_block(BlockKind kind) {
+    if (const std::uint64_t opened = std::exchange(block_opened_ns, 0)) {
+        const auto what = kind == BlockKind::begin ? SPEAR_TRACE_RECORD_BEGIN_BLOCK : SPEAR_TRACE_RECORD_END_BLOCK;
+        const spear_trace_event event{opened, spear_trace_now() - opened, static_cast<std::uint16_t>(what),
+            static_cast<std::uint16_t>(kind), 0, session_id, transaction};
+        spear_trace_record(&event);
+    }
 }
 
 void Session::Impl::close(BlockKind kind, bool single_step) {
@@ -359,6 +394,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
             fmt::format("execute() was called on the {} block of another thread.", block_name(kind)),
             std::string(block_name(kind)));
     }
+    trace_block(kind);
     take_answers();
     const bool waits = holds_game_thread && block.fire_and_forget != 0;
     const bool is_begin = kind == BlockKind::begin;
@@ -370,6 +406,7 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
     const std::uint64_t request = submit(block, true, false, single_step);
     try {
         if (waits) {
+            const TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, request);
             wait_for_request(lock, request, fmt::format("The end of the {} block", block_name(kind)));
         }
     } catch (...) {
@@ -428,6 +465,7 @@ void Session::Impl::flush() {
     };
     const std::uint64_t last = next_request;
     const Milliseconds limit = deadline();
+    const TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, last - 1);
     const bool done = wait_until(lock, Clock::now() + limit,
         [&] { return lost || !std::any_of(in_flight.begin(), in_flight.lower_bound(last), is_part); });
     if (!done) {

@@ -229,6 +229,7 @@ struct Session::Impl {
     bool holds_game_thread = false; // the open block has sent a batch that does not close it
     bool holds_single_step = false;
     std::uint64_t last_request[3] = {0, 0, 0}; // of each kind of block
+    std::uint64_t block_opened_ns = 0;         // for traces: 0 if none was recorded at that moment
 
     Milliseconds deadline() const noexcept { return Milliseconds(deadline_ms.load(std::memory_order_relaxed)); }
     bool is_block_open() const noexcept { return phase == Phase::begin_open || phase == Phase::end_open; }
@@ -287,6 +288,7 @@ struct Session::Impl {
     void require_order(BlockKind kind) const;
     void open(BlockKind kind);
     void close(BlockKind kind, bool single_step);
+    void trace_block(BlockKind kind);
     void abandon() noexcept;
     void flush();
     [[noreturn]] void throw_failures(std::vector<Failure> raised, bool transaction_was_closed) const;
@@ -295,6 +297,8 @@ struct Session::Impl {
     std::string describe(std::uint16_t entry_point, TypeId shape) const;
     std::string describe(const OperationState& state) const { return describe(state.entry_point, state.shape); }
     Status status(Lock& lock, Milliseconds timeout);
+    Statistics statistics(Lock& lock, Milliseconds timeout);
+    spear_status ask_status(Lock& lock, Milliseconds timeout, const char* what);
     template <typename F>
     ShapeId shape(Session& session, const std::string& key, F&& make);
 

@@ -26,14 +26,14 @@ def running_engine(build_directory: Path, *arguments: str, scene: str = "apartme
         with log.open("wb") as output:
             process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, cwd=folder)
         try:
-            wait_for(lambda: socket.exists() or process.poll() is not None, 60, "the engine's socket")
+            wait_for(lambda: socket.exists() or process.poll() is not None, 300, "the engine's socket")
             assert process.poll() is None, f"the engine ended with exit code {process.returncode}:\n{log.read_text(errors='replace')[-4000:]}"
             yield f"unix:{socket}"
         finally:
             if process.poll() is None:
                 process.send_signal(signal.SIGTERM)
             try:
-                process.wait(20)
+                process.wait(120)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()

@@ -34,7 +34,7 @@ def test_tools_spear_is_the_same(source_directory: Path, spear_command: list[str
     assert helpers.run([front_door, "--help"]).stdout == helpers.run([*spear_command, "--help"]).stdout
 
 
-@pytest.mark.parametrize("words", ["", "engine", "engine run", "engine list", "demo", "schema", "schema live", "schema check", "schema stats", "bench", "bench calls", "doctor"])
+@pytest.mark.parametrize("words", ["", "engine", "engine run", "engine list", "demo", "schema", "schema live", "schema check", "schema stats", "trace", "bench", "bench calls", "doctor", "completion"])
 def test_help(spear_command: list[str], words: str) -> None:
     assert "Usage: spear " + words in helpers.run([*spear_command, *words.split(), "--help"]).stdout
 
@@ -84,8 +84,9 @@ def test_engine_list(spear_command: list[str], build_directory: Path) -> None:
         helpers.wait_for(listed, 30, "the engine in the list")
         helpers.wait_for(lambda: listed()[0].get("scene") == "apartment", 30, "the scene in the list")
         assert str(listed()[0]["address"]).startswith("unix:")
-        text = helpers.run([*spear_command, "engine", "list"]).stdout
-        assert f"process {process.pid}" in text and "scene apartment" in text
+        assert listed()[0]["frame"] > 0 and listed()[0]["uptime"] > 0 and listed()[0]["sessions"] == 0  # type: ignore[operator]
+        (line,) = (line for line in helpers.run([*spear_command, "engine", "list"]).stdout.splitlines() if line.startswith(f"{process.pid} "))
+        assert " apartment " in line and str(listed()[0]["address"]) in line
     finally:
         process.terminate()
         assert process.wait(20) == 0

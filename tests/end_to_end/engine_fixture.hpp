@@ -34,13 +34,25 @@ spear::LaunchOptions launch_options();
 spear::Instance& engine();
 void close_engine();
 
+/// Waits until a condition holds; false if it does not within a time that only a broken program takes.
+template <typename F>
+bool eventually(F&& condition) {
+    const auto ends = std::chrono::steady_clock::now() + 30s;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > ends)
+            return false;
+        std::this_thread::sleep_for(2ms);
+    }
+    return true;
+}
+
 /// A session of its own, with a world and two blocks at hand.
 struct Client {
     spear::Instance instance;
     spear::Game game;
 
-    explicit Client(spear::SessionOptions options = {.deadline = 10s})
-        : instance(spear::connect(engine().process()->address(), std::move(options))), game(instance.game()) {}
+    explicit Client(spear::SessionOptions options = {.deadline = 30s}, spear::Instance& of = engine())
+        : instance(spear::connect(of.process()->address(), std::move(options))), game(instance.game()) {}
 
     /// Runs one transaction; `end` may be empty.
     void transact(const std::function<void()>& begin, const std::function<void()>& end = nullptr,
@@ -61,12 +73,19 @@ struct Client {
         return game.spawn_actor("ACameraActor", {.location = {location.X, location.Y, location.Z}});
     }
     std::uint64_t frame_number() { return instance.frame_number(); }
-    /// Whether the engine runs frames within that time.
-    bool frames_go_on(spear::Milliseconds time = 200ms) {
+    /// Whether the engine runs frames: waits for two of them, long.
+    bool frames_go_on() {
         const std::uint64_t before = frame_number();
-        std::this_thread::sleep_for(time);
-        return frame_number() > before + 1;
+        return eventually([&] { return frame_number() > before + 1; });
     }
+    /// Whether the engine, which must be held already, runs no frame for a while.
+    bool frames_stand() {
+        const std::uint64_t before = frame_number();
+        std::this_thread::sleep_for(150ms);
+        return frame_number() == before;
+    }
+    /// Returns when the server has everything that this client has sent: a session's messages arrive in order.
+    void arrive() { instance.call(spear::engine_service::ping, ""); }
 };
 
 /// The frame of the engine in which a future's operation ran.
@@ -84,9 +103,9 @@ inline bool channel_is_on() {
     return !engine_is_apart() && (!setting || std::string_view(setting) != "off");
 }
 
-/// Starts this program again to be a client of the shared engine that dies or hangs: see main.cpp. Returns its process
-/// id.
-int start_child(const std::string& what);
+/// Starts this program again to be a client of the shared engine, or the one at the address, that dies or hangs: see
+/// main.cpp. Returns its process id when the client has said that it is where it shall be.
+int start_child(const std::string& what, std::string address = {});
 void wait_for_child(int process_id);
 
 /// The text of the error that f raises, which must be an E; empty if it raises none.

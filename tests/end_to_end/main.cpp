@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // end_to_end_tests [doctest options]; or, as a child of a test, `end_to_end_tests --child WHAT ADDRESS`: a client that
-// dies or hangs.
+// dies or hangs; or `--determinism STEPS FILE ADDRESS` (determinism.hpp).
 #define DOCTEST_CONFIG_IMPLEMENT
+#include "determinism.hpp"
 #include "engine_fixture.hpp"
 
 #include <memory>
@@ -24,7 +25,10 @@ std::unique_ptr<spear::Instance>& shared() {
 
 /// Holds the engine's game thread, says so by writing a byte to standard output, then dies or hangs as asked.
 int be_child(std::string_view what, const char* address) {
-    spear::Instance instance = spear::connect(address, {.client_name = "the child", .lease = 500ms});
+    const bool has_no_lease = what == "hang without a lease";
+    const bool has_default_lease = what == "hang idle";
+    spear::Instance instance = spear::connect(address,
+        {.client_name = "the child", .lease = has_default_lease ? 0ms : 500ms, .no_lease = has_no_lease});
     const auto say_ready = [] { [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, "!", 1); };
     const spear::Game game = instance.game();
     const auto hold = [&] { (void)game.find_actors_by_class("AActor"); }; // synchronous: holds the game thread
@@ -32,6 +36,9 @@ int be_child(std::string_view what, const char* address) {
     if (what == "kill: idle") {
         say_ready();
         ::pause();
+    } else if (has_default_lease) {
+        say_ready();
+        ::raise(SIGSTOP);
     } else if (what == "kill: in single_step") {
         instance.step();
         say_ready();
@@ -78,7 +85,7 @@ int be_child(std::string_view what, const char* address) {
         instance.flush();
     }
     [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, "!", 1);
-    if (what == "hang") {
+    if (what == "hang" || has_no_lease) {
         ::raise(SIGSTOP);
     }
     ::_exit(0); // no destructor runs: as after a crash
@@ -87,12 +94,14 @@ int be_child(std::string_view what, const char* address) {
 } // namespace
 
 spear::LaunchOptions launch_options() {
-    const char* const other = std::getenv("SPEAR_TEST_ENGINE"); // see run_apart
+    const char* const other = std::getenv("SPEAR_TEST_ENGINE");    // see run_apart
+    const char* const address = std::getenv("SPEAR_TEST_ADDRESS"); // another one than a Unix socket of its own
     return {.fps = 200,
         .fixed_dt = fixed_dt,
         .seed = 1,
         .executable = other ? other : SPEAR_TEST_ENGINE,
         .arguments = {"--plugin-dir", SPEAR_TEST_PLUGINS},
+        .address = address ? address : "",
         .connect_timeout = 60s,
         .deadline = 10s};
 }
@@ -105,13 +114,15 @@ spear::Instance& engine() {
 
 void close_engine() { shared().reset(); }
 
-int start_child(const std::string& what) {
+int start_child(const std::string& what, std::string address) {
+    if (address.empty())
+        address = engine().process()->address();
     int ends[2];
     REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    std::string program("/proc/self/exe"), option("--child"), argument(what), address(engine().process()->address());
+    std::string program("/proc/self/exe"), option("--child"), argument(what);
     char* argv[] = {program.data(), option.data(), argument.data(), address.data(), nullptr};
     pid_t process_id = 0;
     REQUIRE(::posix_spawn(&process_id, "/proc/self/exe", &actions, nullptr, argv, environ) == 0);
@@ -133,6 +144,9 @@ void wait_for_child(int process_id) {
 int main(int argc, char** argv) {
     if (argc == 4 && std::string_view(argv[1]) == "--child") {
         return end_to_end::be_child(argv[2], argv[3]);
+    }
+    if (argc == 5 && std::string_view(argv[1]) == "--determinism") {
+        return end_to_end::run_determinism(argv[2], argv[3], argv[4]);
     }
     doctest::Context context(argc, argv);
     const int result = context.run();

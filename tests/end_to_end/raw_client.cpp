@@ -56,18 +56,18 @@ std::vector<std::string> RawClient::all_signatures() {
     return signatures;
 }
 
-RawClient::RawClient(const std::vector<std::string>& entry_points, std::uint32_t lease_ms) {
+RawClient::RawClient(const std::vector<std::string>& entry_points, std::uint32_t lease_ms, spear::Instance& of) {
     std::vector<const char*> pointers;
     for (const std::string& one : entry_points) {
         pointers.push_back(one.c_str());
     }
     const std::string version(spear::version);
     spear_client_options options{};
-    options.address = engine().process()->address().c_str();
+    options.address = of.process()->address().c_str();
     options.spear_version = version.c_str();
     options.client_name = "a raw client";
     options.lease_ms = lease_ms;
-    options.connect_timeout_ms = 5000;
+    options.connect_timeout_ms = 60'000;
     options.max_message_bytes = spear::limits::max_message_bytes;
     options.entry_points = pointers.data();
     options.entry_point_count = pointers.size();
@@ -120,7 +120,7 @@ std::optional<RawClient::Reply> RawClient::wait(std::uint64_t request, spear::Mi
 
 bool RawClient::lost() {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, 5s, [&] { return lost_; });
+    return changed_.wait_for(lock, 60s, [&] { return lost_; });
 }
 
 void RawClient::take() {
@@ -151,6 +151,36 @@ void RawClient::on_lost(void* user, const spear_wire_error*) {
     }
     self.lost_ = true;
     self.changed_.notify_all();
+}
+
+RawClient::Batch closing(std::uint64_t transaction, std::uint8_t block) {
+    RawClient::Batch batch;
+    batch.transaction = transaction;
+    batch.block = block;
+    batch.closes = true;
+    return batch;
+}
+
+void add_find_class(RawClient::Batch& batch, std::uint64_t number, std::string_view name) {
+    RawClient::add(
+        batch, spear::unreal_service::find_class, number, [&](spear::Encoder& out) { put_text(out, name); });
+}
+
+void announce(RawClient::Batch& batch, spear::TypeId number, const spear::TypeInfo& info) {
+    spear::Encoder out;
+    spear::encode_announcement(out, number, info);
+    batch.types.insert(batch.types.end(), out.buffer.begin(), out.buffer.end());
+}
+
+std::optional<spear::ErrorInfo> error_of(RawClient& client, std::uint64_t transaction, RawClient::Batch batch) {
+    batch.transaction = transaction;
+    batch.block = begin;
+    batch.closes = true;
+    const auto reply = client.exchange(batch);
+    (void)client.exchange(closing(transaction, end));
+    if (!reply || reply->errors().empty())
+        return std::nullopt;
+    return reply->errors().begin()->second;
 }
 
 } // namespace end_to_end

@@ -38,7 +38,8 @@ public:
         std::vector<std::uint64_t> releases{};
     };
 
-    explicit RawClient(const std::vector<std::string>& entry_points = all_signatures(), std::uint32_t lease_ms = 2000);
+    explicit RawClient(const std::vector<std::string>& entry_points = all_signatures(), std::uint32_t lease_ms = 20'000,
+        spear::Instance& of = engine());
     ~RawClient();
     RawClient(const RawClient&) = delete;
     RawClient& operator=(const RawClient&) = delete;
@@ -48,10 +49,10 @@ public:
     const spear_wire_error& connect_error() const { return connect_error_; }
 
     std::uint64_t submit(const Batch& batch);
-    /// The reply, or nothing if the session was lost or five seconds have passed.
-    std::optional<Reply> wait(std::uint64_t request, spear::Milliseconds timeout = 5s);
+    /// The reply, or nothing if the session was lost or the time has passed.
+    std::optional<Reply> wait(std::uint64_t request, spear::Milliseconds timeout = 60s);
     std::optional<Reply> exchange(const Batch& batch) { return wait(submit(batch)); }
-    /// Whether the server has ended the session within five seconds.
+    /// Waits until the server has ended the session; false if it does not.
     bool lost();
     void close();
 
@@ -80,5 +81,16 @@ private:
     spear_client* client_ = nullptr;
     spear_wire_error connect_error_{};
 };
+
+inline constexpr auto begin = static_cast<std::uint8_t>(SPEAR_BLOCK_BEGIN);
+inline constexpr auto end = static_cast<std::uint8_t>(SPEAR_BLOCK_END);
+
+/// An empty batch that closes a block.
+RawClient::Batch closing(std::uint64_t transaction, std::uint8_t block);
+inline void put_text(spear::Encoder& out, std::string_view text) { spear::encode_value(out, text); }
+void add_find_class(RawClient::Batch& batch, std::uint64_t number, std::string_view name);
+void announce(RawClient::Batch& batch, spear::TypeId number, const spear::TypeInfo& info);
+/// Runs operations in a transaction of its own and gives the first error.
+std::optional<spear::ErrorInfo> error_of(RawClient& client, std::uint64_t transaction, RawClient::Batch batch);
 
 } // namespace end_to_end

@@ -13,45 +13,6 @@ using Batch = RawClient::Batch;
 namespace service = spear::unreal_service;
 namespace types = spear::types;
 
-namespace {
-
-constexpr auto begin = static_cast<std::uint8_t>(SPEAR_BLOCK_BEGIN);
-constexpr auto end = static_cast<std::uint8_t>(SPEAR_BLOCK_END);
-
-Batch closing(std::uint64_t transaction, std::uint8_t block) {
-    Batch batch;
-    batch.transaction = transaction;
-    batch.block = block;
-    batch.closes = true;
-    return batch;
-}
-
-void put_text(spear::Encoder& out, std::string_view text) { spear::encode_value(out, text); }
-
-void add_find_class(Batch& batch, std::uint64_t number, std::string_view name) {
-    RawClient::add(batch, service::find_class, number, [&](spear::Encoder& out) { put_text(out, name); });
-}
-
-void announce(Batch& batch, spear::TypeId number, const spear::TypeInfo& info) {
-    spear::Encoder out;
-    spear::encode_announcement(out, number, info);
-    batch.types.insert(batch.types.end(), out.buffer.begin(), out.buffer.end());
-}
-
-/// Runs an operation in a transaction of its own and gives its error.
-std::optional<spear::ErrorInfo> error_of(RawClient& client, std::uint64_t transaction, Batch batch) {
-    batch.transaction = transaction;
-    batch.block = begin;
-    batch.closes = true;
-    const auto reply = client.exchange(batch);
-    (void)client.exchange(closing(transaction, end));
-    if (!reply || reply->errors().empty())
-        return std::nullopt;
-    return reply->errors().begin()->second;
-}
-
-} // namespace
-
 TEST_CASE("blocks and transactions out of order are refused, one by one") {
     RawClient client;
     REQUIRE(client.connected());
@@ -234,111 +195,6 @@ TEST_CASE("well-formed shapes with garbage in the values") {
     CHECK(helper.frames_go_on());
 }
 
-TEST_CASE("limits: each one exceeded gives its error") {
-    using namespace spear::limits;
-    RawClient client;
-    std::uint64_t transaction = 0;
-    std::uint64_t number = 0;
-
-    Batch batch; // nesting
-    RawClient::add(batch, service::find_class, ++number, [](spear::Encoder& out) {
-        for (std::size_t depth = 0; depth < max_value_depth + 10; ++depth) {
-            out.put(types::list);
-            out.put(std::uint32_t{1});
-        }
-        out.put(types::null);
-    });
-    CHECK(error_of(client, ++transaction, batch)->code == ErrorCode::WrongType);
-
-    batch = {}; // a string longer than the limit says
-    RawClient::add(batch, service::find_class, ++number, [](spear::Encoder& out) {
-        out.put(types::string);
-        out.put_text(std::string(max_string_bytes + 1, 'x'));
-    });
-    CHECK(error_of(client, ++transaction, batch)->code == ErrorCode::MalformedMessage);
-
-    batch = {}; // more elements than bytes
-    RawClient::add(batch, service::get_schema, ++number, [](spear::Encoder& out) {
-        out.put(types::list);
-        out.put(std::uint32_t{0xffff'ffff});
-    });
-    CHECK(error_of(client, ++transaction, batch)->code == ErrorCode::MalformedMessage);
-
-    batch = closing(++transaction, begin); // operations of one block
-    batch.operations.reserve((max_operations_per_block + 1) * spear::OperationHeader::size);
-    spear::Encoder one;
-    for (std::size_t index = 0; index <= max_operations_per_block; ++index) {
-        one.buffer.clear();
-        spear::end_operation(
-            one, spear::begin_operation(one, ++number,
-                     spear::AllEntryPoints::index_of<std::remove_cv_t<decltype(service::get_worlds)>>(),
-                     spear::OperationFlags::none));
-        batch.operations.insert(batch.operations.end(), one.buffer.begin(), one.buffer.end());
-    }
-    auto reply = client.exchange(batch);
-    REQUIRE(reply);
-    CHECK(reply->error == ErrorCode::LimitExceeded);
-    CHECK_FALSE(client.exchange(closing(transaction, end))
-            ->has_error); // the operations were refused; the block closed all the same
-
-    batch = {}; // memory of one value: a short list of very many empty structs
-    announce(batch, 64, {spear::TypeKind::call_shape, "EchoRecordArray", "", 0, 0, {{"Value", types::any}}, {}, 1});
-    RawClient::add(
-        batch, service::new_object, ++number,
-        [](spear::Encoder& out) {
-            put_text(out, "URoundTrip");
-            spear::encode_value(out, spear::ObjectRef{});
-            put_text(out, "");
-        },
-        spear::OperationFlags::keep_result);
-    const std::uint64_t object = number;
-    RawClient::add(batch, service::call_function, ++number, [&](spear::Encoder& out) {
-        out.put(types::future);
-        out.put(object);
-        spear::encode_value(out, spear::ShapeId{64});
-        const std::uint32_t count = 9'000'000;
-        out.put(types::list);
-        out.put(count);
-        for (std::uint32_t index = 0; index < count; ++index) {
-            out.put(types::dict);
-            out.put(std::uint32_t{0});
-        }
-    });
-    CHECK(error_of(client, ++transaction, batch)->code == ErrorCode::LimitExceeded);
-
-    // Queued transactions: another client keeps the engine from taking them.
-    RawClient holder;
-    Batch holds;
-    holds.transaction = 1;
-    holds.block = begin;
-    add_find_class(holds, 1, "AActor");
-    REQUIRE(holder.exchange(holds));
-    std::vector<std::uint64_t> requests;
-    for (std::size_t index = 0; index <= max_queued_transactions; ++index) {
-        requests.push_back(client.submit(closing(++transaction, begin)));
-        requests.push_back(client.submit(closing(transaction, end)));
-    }
-    reply = client.wait(requests[2 * max_queued_transactions]);
-    REQUIRE(reply);
-    CHECK(reply->error == ErrorCode::FrameMisuse);
-    holder.close();
-    for (std::size_t index = 0; index < 2 * max_queued_transactions; ++index) {
-        reply = client.wait(requests[index]);
-        REQUIRE(reply);
-        CHECK_FALSE(reply->has_error);
-    }
-    CHECK(Client().frames_go_on());
-}
-
-TEST_CASE("a result larger than a message is an error of its operation") {
-    Client client;
-    client.transact([&] {
-        const spear::Object calls = client.game.new_object("URoundTripCalls");
-        error_text<spear::LimitExceeded>([&] { calls.call("Bytes", std::int64_t{spear::limits::max_message_bytes}); });
-        CHECK(calls.call("Bytes", 1000).size() == 1000);
-    });
-}
-
 TEST_CASE("a client that goes in the middle of a block, or of single_step, releases the game thread") {
     for (const int where : {0, 1, 2, 3}) {
         CAPTURE(where);
@@ -365,7 +221,7 @@ TEST_CASE("a client that goes in the middle of a block, or of single_step, relea
         CHECK(witness.frame_number() <= before + 1); // held
         CHECK(witness.instance.session()->status().holder == "a raw client");
         client.close();
-        CHECK(witness.frames_go_on(500ms));
+        CHECK(witness.frames_go_on());
     }
 }
 
@@ -381,7 +237,7 @@ TEST_CASE("two clients: one transaction of each in a frame; while one holds, the
         auto other = second.instance.begin_frame();
         const auto ran = second.game.async().find_actors_by_class("AActor");
         other.execute();
-        std::this_thread::sleep_for(100ms); // two connections: nothing else orders the messages
+        second.arrive(); // two connections: nothing else orders the messages
         block.execute();
         frame = frame_of(ran);
     }

@@ -73,6 +73,28 @@ def test_compilable_keeps_unreals_rules(build_directory: Path, tmp_path: Path) -
     assert "spear_unreal_module(NAME BigCore" in (tmp_path / "base" / "CMakeLists.txt").read_text()
 
 
+def test_compilable_hides_no_member(build_directory: Path, tmp_path: Path) -> None:
+    """Neither Unreal's header tool nor -Wshadow takes a parameter with the name of a variable of its class, inherited or of the engine; crowded classes show it."""
+    make(tmp_path / "base", "--headers", "60", "--functions", "6000", "--properties", "6000", "--compilable")
+    schema = dump(build_directory, tmp_path / "base", tmp_path / "schema.json")
+    classes = {c["name"]: c for m in ("CoreUObject", "Engine") for c in json.loads((build_directory / "codegen" / m / f"{m}.schema.json").read_text())["classes"]}
+    classes |= {c["name"]: c for c in schema["classes"]}
+    for class_ in schema["classes"]:
+        names: set[str] = {"bounds"}  # a variable of USceneComponent that is not reflected
+        functions: list[str] = []
+        at: Any = class_
+        while at:
+            names |= {p["name"].lower() for p in at["properties"]}
+            functions += [f["name"].lower() for f in at["functions"]]
+            at = classes.get(at["super"])
+        assert len(functions) == len(set(functions)), f"{class_['name']} has a function twice"
+        for function in class_["functions"]:
+            hidden = names & {p["name"].lower() for p in function["parameters"]}
+            assert not hidden, f"{class_['name']}::{function['name']}: {hidden}"
+    arrays = {p["name"] for c in schema["classes"] for p in c["properties"] if p["array_dim"] > 1}
+    assert arrays and not [p["name"] for c in schema["classes"] for p in c["properties"] if p["array_dim"] > 1 and (p.get("native_getter") or p.get("native_setter"))]
+
+
 def test_shapes_of_the_full_code_base(scale_schema: Path) -> None:
     """Large where real code is large: a deep hierarchy, a class with over 1,000 inherited members, a library with hundreds of functions."""
     schema = json.loads(scale_schema.read_text(encoding="utf-8"))

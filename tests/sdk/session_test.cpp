@@ -2,6 +2,7 @@
 // What a Session puts on the wire, and how it reads what comes back. The other end is the real wire library with a peer
 // that records batches and answers as a test tells it; no engine. What the engine does with batches is tested in
 // tests/end_to_end.
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -46,7 +47,10 @@ public:
         address_ = "unix:@spear-sdk-test-" + std::to_string(::getpid()) + "-" + std::to_string(++count_);
         spear_server_callbacks callbacks{};
         callbacks.user = this;
-        callbacks.connect = [](void*, const spear_hello*, spear_wire_error*) { return 1; };
+        callbacks.connect = [](void* user, const spear_hello* hello, spear_wire_error*) {
+            static_cast<Peer*>(user)->lease_ms = hello->lease_ms;
+            return 1;
+        };
         callbacks.disconnect = [](void*, std::uint64_t, const char*) {};
         callbacks.submit = [](void* user, std::uint64_t session, std::uint64_t request, const spear_batch* batch) {
             static_cast<Peer*>(user)->receive(session, request, *batch);
@@ -80,7 +84,7 @@ public:
     /// The next batch; fails the test if none comes.
     Recorded next() {
         std::unique_lock lock(mutex_);
-        REQUIRE(changed_.wait_for(lock, 5s, [&] { return !batches_.empty(); }));
+        REQUIRE(changed_.wait_for(lock, 60s, [&] { return !batches_.empty(); }));
         Recorded batch = std::move(batches_.front());
         batches_.pop_front();
         return batch;
@@ -122,7 +126,10 @@ public:
             succeed(operation, out);
     }
 
+    const std::string& address() const { return address_; }
+
     spear_status status{};
+    std::atomic<std::uint32_t> lease_ms{0}; ///< of the client that connected last
 
 private:
     void receive(std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
@@ -544,6 +551,55 @@ TEST_CASE("limits: what no message may carry is refused when it is recorded; the
     CHECK_NOTHROW(target.send("F", "x"));
     frame.execute();
     CHECK(peer.next().operations.size() == 1);
+}
+
+TEST_CASE("limits: a session announces so many types, and one more is refused before it is sent") {
+    Peer peer;
+    const auto session = peer.connect();
+    TypeInfo info;
+    info.kind = TypeKind::path_shape;
+    const auto announce_until = [&](std::size_t count) {
+        for (std::size_t i = session->types().client->next() - types::first_client_type; i < count; ++i) {
+            info.name = std::to_string(i);
+            session->number_of(info);
+        }
+    };
+    announce_until(limits::max_announcements);
+    CHECK_THROWS_AS(announce_until(limits::max_announcements + 1), LimitExceeded);
+    CHECK_THROWS_AS(session->path_shape("A.B"), LimitExceeded);
+}
+
+TEST_CASE("limits: leases that are too short or too long become the shortest and the longest") {
+    Peer peer;
+    const auto agreed = [&](Milliseconds lease, bool no_lease = false) {
+        Session::connect({.address = peer.address(), .lease = lease, .no_lease = no_lease});
+        return peer.lease_ms.load();
+    };
+    CHECK(agreed(1ms) == limits::min_lease_ms);
+    CHECK(agreed(1234ms) == 1234);
+    CHECK(agreed(Milliseconds(limits::max_lease_ms) + 1ms) == limits::max_lease_ms);
+    CHECK(agreed(0ms) == limits::default_lease_ms);
+    CHECK(agreed(0ms, true) == SPEAR_LEASE_OFF);
+}
+
+TEST_CASE("statistics: both ends count messages and bytes where they write and read them") {
+    Peer peer;
+    const auto session = peer.connect();
+    const auto none = session->statistics();
+    CHECK(none.sent.messages == 0);
+    CHECK(none.server_received.messages == 0);
+    std::string text(1000, 'x');
+    for (int i = 0; i < 3; ++i)
+        session->async(engine_service::ping, text).wait(60s);
+    const auto now = session->statistics();
+    CHECK(now.sent.messages == 3);
+    CHECK(now.sent.bytes > 3000);
+    CHECK(now.received.messages == 3);
+    CHECK(now.received.bytes > 3 * 8);
+    CHECK(now.server_received.messages == 3);
+    CHECK(now.server_received.bytes == now.sent.bytes);
+    CHECK(now.server_sent.messages == 3);
+    CHECK(now.server_sent.bytes == now.received.bytes);
 }
 
 TEST_CASE("many threads at once") {

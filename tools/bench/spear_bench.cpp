@@ -2,7 +2,8 @@
 // spear-bench ADDRESS: measures what calls of the engine at that address cost, one row at a time, as standard input
 // asks. Each line of input names a row (`spear-bench --rows` lists them); each gives one line of JSON: {"row": ...,
 // "us": [samples, microseconds]}. `spear bench calls` runs it, interleaved with its own rows. The engine needs the
-// plugin SpearBench.
+// plugin SpearBench. `spear-bench ADDRESS --transactions N --calls M` is for `spear bench frames`: {"frames": [...],
+// "split": n}, see frames.hpp.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -21,6 +22,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "frames.hpp"
 #include "spear/spear.hpp"
 
 namespace {
@@ -237,11 +239,30 @@ const std::vector<std::pair<std::string, std::function<Samples(const std::string
     return table;
 }
 
+int print_transactions(const std::string& address, std::size_t transactions, std::size_t calls) {
+    try {
+        const TransactionFrames result = run_transactions(address, transactions, calls);
+        std::cout << "{\"frames\": [";
+        const char* separator = "";
+        for (const std::int64_t frame : result.frames) {
+            std::cout << std::exchange(separator, ", ") << frame;
+        }
+        std::cout << "], \"split\": " << result.split << '}' << std::endl;
+        return 0;
+    } catch (const spear::Error& error) {
+        std::cerr << "spear-bench: " << error.what() << '\n';
+        return 1;
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 6 && std::string(argv[2]) == "--transactions" && std::string(argv[4]) == "--calls") {
+        return print_transactions(argv[1], std::strtoull(argv[3], nullptr, 10), std::strtoull(argv[5], nullptr, 10));
+    }
     if (argc != 2 || std::string(argv[1]) == "--help") {
-        std::cerr << "usage: spear-bench ADDRESS | --rows\n";
+        std::cerr << "usage: spear-bench ADDRESS | ADDRESS --transactions N --calls M | --rows\n";
         return 2;
     }
     const std::string address = argv[1];

@@ -105,12 +105,13 @@ function(spear_reflect target module directory generated reflected depends)
         list(APPEND outputs "${generated}/include/${stem}.generated.h")
         list(APPEND generated_sources "${generated}/${stem}.gen.cpp")
     endforeach()
-    file(GLOB_RECURSE emitter CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/codegen/emit/*.py" "${CMAKE_SOURCE_DIR}/codegen/emit/templates/registration/*")
+    get_filename_component(emit "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../codegen/emit" ABSOLUTE)
+    file(GLOB_RECURSE emitter CONFIGURE_DEPENDS "${emit}/*.py" "${emit}/templates/registration/*")
     # The emitter leaves unchanged files alone, so that only what changed is compiled again; the stamp tells ninja it has run.
     set(stamp "${generated}/registration.stamp")
     add_custom_command(OUTPUT "${stamp}"
         BYPRODUCTS ${outputs} ${generated_sources}
-        COMMAND "${SPEAR_VENV}/bin/python" "${CMAKE_SOURCE_DIR}/codegen/emit" registration "${schema}" ${imports}
+        COMMAND "${SPEAR_VENV}/bin/python" "${emit}" registration "${schema}" ${imports}
             --output-dir "${generated}"
         COMMAND ${CMAKE_COMMAND} -E touch "${stamp}"
         DEPENDS "${schema}" ${emitter}

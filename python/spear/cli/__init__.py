@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The command line: ``spear engine``, ``spear demo``, ``spear schema``, ``spear bench``, ``spear doctor``.
+"""The command line: ``spear engine``, ``demo``, ``schema``, ``trace``, ``bench``, ``doctor``, ``completion``.
 
-Exit codes: 0 done, 1 it failed (the reason is on standard error), 2 the command line was wrong. Completion:
-``eval "$(_SPEAR_COMPLETE=bash_source spear)"`` (or zsh_source, fish_source).
+Exit codes: 0 done, 1 it failed (the reason is on standard error), 2 the command line was wrong.
 """
 
 from __future__ import annotations
@@ -12,10 +11,12 @@ import sys
 import click
 
 from spear.cli.bench import bench
+from spear.cli.completion import completion
 from spear.cli.demo import demo
 from spear.cli.doctor import doctor
 from spear.cli.engine import engine
 from spear.cli.schema import schema
+from spear.cli.trace import trace
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -29,11 +30,12 @@ def cli() -> None:
       spear engine --scene apartment --fps 60   run the embedded engine; Ctrl-C ends it
       spear engine list                         engines that run
       spear schema live                         the reflection of a running engine, as JSON
+      spear trace --png out.png                 what client and engine do at the same time
       spear bench calls                         what a call costs on this machine
     """
 
 
-for command in (engine, demo, schema, bench, doctor):
+for command in (engine, demo, schema, trace, bench, doctor, completion):
     cli.add_command(command)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 
+from spear.cli.completion import complete_address
 from spear.cli.schema_diff import diff
 from spear.cli.schema_emit import cpp, docs, stubs
 from spear.cli.schema_files import SCHEMA_FILE, Failure, read, text_of, write
@@ -60,7 +61,7 @@ def dump(context: click.Context, arguments: tuple[str, ...]) -> None:
 
 
 @schema.command()
-@click.argument("address", default="")
+@click.argument("address", default="", shell_complete=complete_address)
 @click.option("-m", "--module", "modules", multiple=True, help="Only this module (repeatable).")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write. [default: standard output]")
 def live(address: str, modules: tuple[str, ...], output: Path | None) -> None:

@@ -4,6 +4,7 @@
 // Which C++ values fit which parameter, and how they are written into an operation.
 
 #include <concepts>
+#include <ranges>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -91,14 +92,44 @@ const auto& argument_value(const A& argument) {
         return argument;
 }
 
-/// An argument of a reflected function or a value for a property: anything that encode_typed takes, or a future of
-/// anything.
+/// Whether values of A hold futures, at any depth of containers.
+template <typename A>
+constexpr bool holds_future() {
+    if constexpr (is_future<A>)
+        return true;
+    else if constexpr (requires { typename A::mapped_type; })
+        return holds_future<typename A::mapped_type>();
+    else if constexpr (requires { typename A::value_type; } && std::ranges::sized_range<const A&> && !StringLike<A>)
+        return holds_future<typename A::value_type>();
+    else
+        return false;
+}
+
+/// An argument of a reflected function or a value for a property: anything that encode_typed takes, a future of
+/// anything, or a container of futures: a list is an array or a set, a map with names a struct or a map.
 template <typename A>
 void put_reflected(OperationBuilder& operation, const A& argument) {
-    if constexpr (is_future<A>)
+    if constexpr (is_future<A>) {
         operation.put_future(argument.operation());
-    else
+    } else if constexpr (!holds_future<A>()) {
         encode_typed(operation.out(), argument, operation.types());
+    } else if constexpr (requires { typename A::mapped_type; }) {
+        constexpr bool has_names = StringLike<typename A::key_type>;
+        operation.out().put(has_names ? types::dict : types::map);
+        operation.out().put(static_cast<std::uint32_t>(argument.size()));
+        for (const auto& [key, value] : argument) {
+            if constexpr (has_names)
+                operation.out().put_text(key);
+            else
+                put_reflected(operation, key);
+            put_reflected(operation, value);
+        }
+    } else {
+        operation.out().put(types::list);
+        operation.out().put(static_cast<std::uint32_t>(argument.size()));
+        for (const auto& element : argument)
+            put_reflected(operation, element);
+    }
 }
 
 /// Whether an A may stand for an entry point's parameter of type P.

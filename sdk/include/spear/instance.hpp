@@ -45,6 +45,8 @@ public:
     EngineInfo engine_info() const { return session_->call(engine_service::get_engine_info); }
     std::uint64_t frame_number() const { return session_->call(engine_service::get_frame_number); }
     const std::shared_ptr<Session>& session() const noexcept { return session_; }
+    /// Messages and bytes that have travelled so far, and results kept: see Session::Statistics.
+    Session::Statistics statistics() { return session_->statistics(); }
     /// The process that launch() started; null for connect().
     EngineProcess* process() const noexcept { return process_.get(); }
 

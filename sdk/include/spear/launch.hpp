@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spear/error_code.hpp"
@@ -32,8 +33,12 @@ struct LaunchOptions {
     std::filesystem::path executable{};
     /// Further arguments, after our own options and before -SpearAddress=.
     std::vector<std::string> arguments{};
-    /// Where the engine shall listen. Empty: a new private Unix socket.
+    /// Where the engine shall listen: "unix:/path", "tcp://127.0.0.1:port" (port 0: any). Empty: a new private Unix
+    /// socket. An engine that cannot listen there ends, and launch() raises EngineExited with the reason.
     std::string address{};
+    /// The token that clients must give. Empty: for addresses that other machines can reach a random one is made, else
+    /// there is none.
+    std::string token{};
     /// How long starting may take, in all.
     Milliseconds connect_timeout{60'000};
     /// Where standard output and error of the engine go. Empty: a file that is removed when the engine has ended well.
@@ -43,6 +48,8 @@ struct LaunchOptions {
     Milliseconds lease{0};
     bool no_lease = false;
     Milliseconds deadline{limits::default_deadline_ms};
+    bool channel = true;
+    bool spin = true;
 };
 
 /// The `spear-engine` that launch() would start. Raises LaunchFailed, which lists where it looked.
@@ -59,7 +66,10 @@ public:
     EngineProcess& operator=(const EngineProcess&) = delete;
 
     const std::filesystem::path& executable() const noexcept;
+    /// With the port that the engine chose, once launch() has connected.
     const std::string& address() const noexcept;
+    /// The token that clients must give; empty: none.
+    const std::string& token() const noexcept;
     std::int64_t process_id() const noexcept;
     const std::filesystem::path& log_file() const noexcept;
     bool is_running() const noexcept;
@@ -69,6 +79,13 @@ public:
     void terminate() noexcept;
     /// How it ended, with exit code or signal and the last lines of its log: an EngineExited. Empty while it runs.
     std::optional<ErrorInfo> describe_exit() const;
+
+    /// Completes address() by the port that the engine chose, if it was to choose one; false while the engine does not
+    /// say. launch() does this; not while other threads use this object.
+    bool find_port();
+    /// Whether a command line (EngineInfo::command_line) is that of this engine, and not of another one at the same
+    /// address.
+    bool has_command_line(std::string_view command_line) const;
 
 private:
     struct Impl;

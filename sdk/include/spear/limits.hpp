@@ -2,8 +2,7 @@
 #pragma once
 
 // Every limit of SPEAR, in one table. Client and server compile the same table; the server enforces it, because a client is never
-// trusted. Each limit wants a test that exceeds it (tests/end_to_end/server_robustness.cpp); still without one are
-// max_announcements, max_type_weight, max_kept_results, max_sessions and max_queued_bytes.
+// trusted. Each limit has a test that exceeds it: tests/end_to_end/server_limits.cpp, those of leases in tests/sdk/session_test.cpp.
 
 #include <cstddef>
 #include <cstdint>
@@ -64,5 +63,8 @@ inline constexpr std::uint32_t default_deadline_ms = 30'000;
 /// The longest sleep of the game thread while it waits for a client; then it feeds the engine's heartbeat and looks whether the
 /// engine exits.
 inline constexpr std::uint32_t game_thread_wake_ms = 10;
+
+/// Events of one thread in a trace (40 bytes each, taken as they are used). What finds no room is dropped and counted.
+inline constexpr std::uint64_t max_trace_events = 1u << 22;
 
 } // namespace spear::limits

@@ -127,6 +127,26 @@ public:
     };
     Status status(Milliseconds timeout = Milliseconds(2000));
 
+    /// Messages one way: batches of operations, or answers to them (one each). Bytes of what is in them (operations,
+    /// values, announcements), without the transport's envelope.
+    struct Traffic {
+        std::uint64_t messages = 0;
+        std::uint64_t bytes = 0;
+    };
+    /// What has travelled so far, counted at both ends where messages are written and read. Lease, status and this very
+    /// question are not counted.
+    struct Statistics {
+        Traffic sent;            ///< by this client
+        Traffic received;        ///< by this client
+        Traffic server_received; ///< by the server, from this client
+        Traffic server_sent;     ///< by the server, to this client
+        /// Results that the engine keeps, as of its last batch or release, because futures of this session name them. The server hears of dropped futures with the
+        /// next message.
+        std::uint64_t kept_results = 0;
+    };
+    /// Asks the server thread: also answered while the engine is held. Raises Disconnected, DeadlineExceeded.
+    Statistics statistics(Milliseconds timeout = Milliseconds(2000));
+
     /// Called when the connection was lost, before an error says so, to explain it better (the launcher knows exit code
     /// and log of its engine). Runs on the thread that raises.
     using LossExplainer = std::function<std::optional<ErrorInfo>()>;

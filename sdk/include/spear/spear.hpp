@@ -16,6 +16,7 @@
 #include "spear/log.hpp"
 #include "spear/object.hpp"
 #include "spear/session.hpp"
+#include "spear/trace.hpp"
 #include "spear/unreal_types.hpp"
 #include "spear/value.hpp"
 #include "spear/version.hpp"

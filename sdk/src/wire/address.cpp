@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 
+#include <arpa/inet.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -41,7 +42,15 @@ std::string Address::kj_text() const {
 }
 
 bool Address::is_local() const {
-    return kind != Kind::tcp || host == "localhost" || host == "::1" || host.rfind("127.", 0) == 0;
+    in_addr v4{};
+    in6_addr v6{};
+    if (kind != Kind::tcp || host == "localhost") {
+        return true;
+    }
+    if (::inet_pton(AF_INET, host.c_str(), &v4) == 1) {
+        return (ntohl(v4.s_addr) >> 24) == 127;
+    }
+    return ::inet_pton(AF_INET6, host.c_str(), &v6) == 1 && IN6_IS_ADDR_LOOPBACK(&v6);
 }
 
 void fill_error(spear_wire_error* error, ErrorCode code, std::string_view message) {
@@ -62,6 +71,9 @@ bool parse_address(std::string_view text, Address& address, spear_wire_error* er
     };
     if (text.rfind("unix:", 0) == 0) {
         std::string_view path = text.substr(5);
+        if (path.rfind("///", 0) == 0) { // as a URL
+            path.remove_prefix(2);
+        }
         const bool is_abstract = !path.empty() && path[0] == '@';
         if (is_abstract) {
             path.remove_prefix(1);
@@ -77,8 +89,8 @@ bool parse_address(std::string_view text, Address& address, spear_wire_error* er
         address.path = std::string(path);
         return true;
     }
-    if (text.rfind("tcp://", 0) == 0) {
-        const std::string_view rest = text.substr(6);
+    if (text.rfind("tcp:", 0) == 0) {
+        const std::string_view rest = text.substr(text.rfind("tcp://", 0) == 0 ? 6 : 4);
         const std::size_t colon = rest.rfind(':');
         if (colon == std::string_view::npos) {
             return refuse("the port is missing");
@@ -88,7 +100,7 @@ bool parse_address(std::string_view text, Address& address, spear_wire_error* er
         if (host.size() >= 2 && host.front() == '[' && host.back() == ']') {
             host = host.substr(1, host.size() - 2);
         } else if (host.find(':') != std::string_view::npos) {
-            return refuse("an IPv6 host stands in brackets");
+            return refuse("an IPv6 host stands in brackets, as in tcp://[::1]:5005");
         }
         const auto [end, failure] = std::from_chars(port.data(), port.data() + port.size(), address.port);
         if (host.empty() || port.empty() || failure != std::errc() || end != port.data() + port.size()) {
@@ -98,7 +110,7 @@ bool parse_address(std::string_view text, Address& address, spear_wire_error* er
         address.host = std::string(host);
         return true;
     }
-    return refuse("it starts with neither unix: nor tcp://");
+    return refuse("it starts with neither unix: nor tcp:");
 }
 
 namespace {
@@ -167,7 +179,7 @@ int listen_tcp(Address& address, spear_wire_error* error) {
     };
     if (const int failure = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &found);
         failure != 0) {
-        return fail(::gai_strerror(failure));
+        return fail("the host '" + address.host + "' is not known: " + ::gai_strerror(failure));
     }
     int socket = -1;
     for (const addrinfo* at = found; at && socket < 0; at = at->ai_next) {
@@ -183,11 +195,19 @@ int listen_tcp(Address& address, spear_wire_error* error) {
     }
     ::freeaddrinfo(found);
     if (socket < 0) {
-        return fail(std::strerror(errno));
+        return fail(errno == EADDRINUSE
+                        ? "port " + std::to_string(address.port) +
+                              " is in use: another engine or program listens there. Give another port, or 0 for any"
+                    : errno == EADDRNOTAVAIL ? "the host '" + address.host + "' is none of this machine's addresses"
+                    : errno == EACCES        ? "ports below 1024 are for the system"
+                                             : std::strerror(errno));
     }
     sockaddr_storage bound{};
     socklen_t size = sizeof(bound);
     if (::getsockname(socket, reinterpret_cast<sockaddr*>(&bound), &size) == 0) {
+        address.is_loopback = bound.ss_family == AF_INET6
+                                  ? IN6_IS_ADDR_LOOPBACK(&reinterpret_cast<sockaddr_in6*>(&bound)->sin6_addr) != 0
+                                  : ntohl(reinterpret_cast<sockaddr_in*>(&bound)->sin_addr.s_addr) >> 24 == 127;
         address.port = ntohs(bound.ss_family == AF_INET6 ? reinterpret_cast<sockaddr_in6*>(&bound)->sin6_port
                                                          : reinterpret_cast<sockaddr_in*>(&bound)->sin_port);
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Addresses: "unix:/path", "unix:@name" (abstract), "tcp://host:port", "tcp://[v6]:port".
+// Addresses: "unix:/path", "unix:@name" (abstract), "tcp://host:port", "tcp://[v6]:port". "unix:///path" and
+// "tcp:host:port" are understood too.
 
 #include <cstdint>
 #include <string>
@@ -18,10 +19,11 @@ struct Address {
     std::string path; ///< unix: path or abstract name
     std::string host; ///< tcp
     std::uint16_t port = 0;
+    bool is_loopback = true; ///< tcp, after listen_at: no other machine can reach it
 
     std::string text() const;    ///< as the user writes it
     std::string kj_text() const; ///< as kj's network parses it
-    bool is_local() const;       ///< Unix socket or loopback: no token needed
+    bool is_local() const;       ///< Unix socket or loopback, by its text: no token needed
 };
 
 /// Fills a wire error, cutting the message to its buffer.

@@ -137,7 +137,7 @@ std::byte* ChannelRegion::to_server() noexcept {
 }
 std::byte* ChannelRegion::to_client() noexcept { return to_server() + channel_ring_bytes; }
 
-void ChannelRegion::remove_leftovers() noexcept {
+void ChannelRegion::remove_leftovers(const std::function<void(const std::string& name)>& removed) {
     try {
         std::error_code ignored;
         for (const auto& entry : std::filesystem::directory_iterator("/dev/shm", ignored)) {
@@ -147,7 +147,9 @@ void ChannelRegion::remove_leftovers() noexcept {
             }
             const long process = std::strtol(name.c_str() + name_prefix.size(), nullptr, 10);
             if (process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) {
-                ipc::shared_memory_object::remove(name.c_str()); // fails for regions of other users
+                if (ipc::shared_memory_object::remove(name.c_str())) { // not those of other users
+                    removed(name);
+                }
             }
         }
     } catch (...) { // what cannot be listed is left

@@ -7,12 +7,14 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "channel_layout.hpp"
+#include "spear_wire.h"
 
 namespace spear::wire {
 
@@ -67,8 +69,9 @@ public:
     /// Own copy of the nonce: the client could write to the region's.
     const std::uint8_t* nonce() const noexcept { return nonce_; }
 
-    /// Removes the regions that killed servers of this user left between making one and hearing from the client.
-    static void remove_leftovers() noexcept;
+    /// Removes the regions that killed servers of this user left between making one and hearing from the client, and
+    /// tells their names.
+    static void remove_leftovers(const std::function<void(const std::string& name)>& removed);
 
 private:
     struct Mapping;
@@ -223,6 +226,31 @@ inline void note_cpu(std::uint32_t* at) {
     if (const std::uint32_t cpu = Spinner::this_cpu(); cpu != __atomic_load_n(at, __ATOMIC_RELAXED)) {
         __atomic_store_n(at, cpu, __ATOMIC_RELAXED);
     }
+}
+
+/// Counts the messages of one way. One thread at a time counts, any thread reads.
+class TrafficCounter {
+public:
+    void add(std::uint64_t bytes) noexcept {
+        messages_.store(messages_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        bytes_.store(bytes_.load(std::memory_order_relaxed) + bytes, std::memory_order_relaxed);
+    }
+    spear_traffic read() const noexcept {
+        return {messages_.load(std::memory_order_relaxed), bytes_.load(std::memory_order_relaxed)};
+    }
+    static std::uint64_t bytes_of(const spear_batch& batch) noexcept {
+        return batch.types.size + batch.operations.size + batch.release_count * sizeof(std::uint64_t);
+    }
+    static std::uint64_t bytes_of(const spear_answers& answers) noexcept {
+        return answers.types.size + answers.answers.size;
+    }
+
+private:
+    std::atomic<std::uint64_t> messages_{0}, bytes_{0};
+};
+
+inline spear_traffic operator+(const spear_traffic& a, const spear_traffic& b) {
+    return {a.messages + b.messages, a.bytes + b.bytes};
 }
 
 /// False if the environment variable is "off", "0", "no" or "false".

@@ -22,6 +22,7 @@
 #include "loop_queue.hpp"
 #include "spear.capnp.h"
 #include "spear/limits.hpp"
+#include "spear_trace.h"
 #include "spear_wire.h"
 
 namespace spear::wire {
@@ -36,6 +37,11 @@ void copy_text(char (&buffer)[N], capnp::Text::Reader text) {
     const std::size_t size = text.size() < N - 1 ? text.size() : N - 1;
     std::memcpy(buffer, text.begin(), size);
     buffer[size] = 0;
+}
+
+Text unknown_host_text(const Address& address) {
+    return "No engine answers at " + address.text() + ": the host '" + address.host +
+           "' is not known. Check its spelling, or give its number.";
 }
 
 Text describe_failure(const kj::Exception& exception) { return exception.getDescription().cStr(); }
@@ -61,18 +67,35 @@ struct Connection {
     }
 };
 
-/// Connects within the deadline; throws kj::Exception, DISCONNECTED if nobody listens.
+/// The address names a host that nobody knows.
+struct UnknownHost {};
+
+/// Connects within the deadline; throws UnknownHost, or kj::Exception, DISCONNECTED if nobody listens.
 kj::Own<Connection> open_connection(
     kj::AsyncIoContext& io, const Address& address, kj::TimePoint deadline, std::size_t max_message_bytes) {
-    auto stream =
-        io.provider->getTimer()
-            .timeoutAt(deadline,
-                io.provider->getNetwork().parseAddress(address.kj_text()).then([](kj::Own<kj::NetworkAddress> where) {
-                    auto promise = where->connect();
-                    return promise.attach(kj::mv(where));
-                }))
-            .wait(io.waitScope);
+    auto& timer = io.provider->getTimer();
+    kj::Own<kj::NetworkAddress> where;
+    try {
+        auto looked_up = io.provider->getNetwork().parseAddress(address.kj_text());
+        where = timer.timeoutAt(deadline, kj::mv(looked_up)).wait(io.waitScope);
+    } catch (const kj::Exception& exception) {
+        if (exception.getType() == kj::Exception::Type::OVERLOADED) { // the deadline
+            throw;
+        }
+        throw UnknownHost();
+    }
+    auto stream = timer.timeoutAt(deadline, where->connect()).wait(io.waitScope);
     return kj::heap<Connection>(kj::mv(stream), max_message_bytes);
+}
+
+bool require_port(const Address& address, spear_wire_error* error) {
+    if (address.kind != Address::Kind::tcp || address.port != 0) {
+        return true;
+    }
+    fill_error(error, ErrorCode::ConnectionError,
+        "'" + address.text() +
+            "' has no port to connect to: 0 lets an engine choose one. `spear engine list` says which it took.");
+    return false;
 }
 
 struct Batch {
@@ -120,6 +143,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     std::uint32_t lease_ms = 0;
     bool ended = false;   // `lost` was told, or the session was closed
     bool flushes = false; // a flush() of the channel is due
+    TrafficCounter sent, received; // by RPC
 
     bool post(std::function<void()> work) {
         const std::lock_guard lock(mutex);
@@ -245,6 +269,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         if (!batch.releases.empty()) {
             out.setReleases(kj::arrayPtr(batch.releases.data(), batch.releases.size()));
         }
+        sent.add(batch.types.size() + batch.operations.size() + batch.releases.size() * sizeof(std::uint64_t));
         tasks->add(request.send().then(
             [this, number = batch.request](auto&& response) { receive(number, response.getAnswers()); }));
     }
@@ -262,6 +287,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             out.error_code = answers.getError().getCode();
             out.error_message = answers.getError().getMessage().cStr();
         }
+        received.add(TrafficCounter::bytes_of(out));
         callbacks.answers(callbacks.user, request, &out);
     }
 
@@ -270,6 +296,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         sigfillset(&all);
         pthread_sigmask(SIG_BLOCK, &all, nullptr);
         pthread_setname_np(pthread_self(), "spear-io");
+        spear_trace_name_thread("client I/O thread");
         try {
             auto context = kj::setupAsyncIo();
             io = &context;
@@ -280,6 +307,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             }
             open_channel(context, deadline);
             serve(context, *connection);
+        } catch (const UnknownHost&) {
+            report_start(ErrorCode::EngineNotRunning, unknown_host_text(address));
         } catch (const kj::Exception& exception) {
             const bool timed_out = exception.getType() == kj::Exception::Type::OVERLOADED;
             report_start(ErrorCode::EngineNotRunning,
@@ -334,7 +363,8 @@ extern "C" spear_client* spear_client_connect(
     const spear_client_options* options, const spear_client_callbacks* callbacks, spear_wire_error* error) {
     try {
         auto client = std::make_unique<spear_client>();
-        if (!parse_address(options->address ? options->address : "", client->address, error)) {
+        if (!parse_address(options->address ? options->address : "", client->address, error) ||
+            !require_port(client->address, error)) {
             return nullptr;
         }
         client->token.assign(options->token, options->token + options->token_size);
@@ -472,6 +502,9 @@ extern "C" int spear_client_status(
                     meeting->status.state = static_cast<uint8_t>(in.getState());
                     meeting->status.frame = in.getFrame();
                     meeting->status.frames_age_ms = in.getFramesAgeMs();
+                    meeting->status.received = {in.getBatchesReceived(), in.getBytesReceived()};
+                    meeting->status.sent = {in.getAnswersSent(), in.getBytesSent()};
+                    meeting->status.kept_results = in.getKeptResults();
                     copy_text(meeting->status.holder, in.getHolder());
                     copy_text(meeting->status.detail, in.getDetail());
                     meeting->finish(false, {});
@@ -502,6 +535,11 @@ extern "C" int spear_client_status(
     }
 }
 
+extern "C" void spear_client_traffic(const spear_client* client, spear_traffic* sent, spear_traffic* received) {
+    *sent = client->channel ? client->channel->sent() : client->sent.read();
+    *received = client->channel ? client->channel->received() : client->received.read();
+}
+
 extern "C" void spear_client_close(spear_client* client) {
     if (!client) {
         return;
@@ -527,7 +565,7 @@ extern "C" void spear_client_close(spear_client* client) {
 extern "C" int spear_describe(
     const char* address_text, uint32_t timeout_ms, spear_description* description, spear_wire_error* error) {
     Address address;
-    if (!parse_address(address_text ? address_text : "", address, error)) {
+    if (!parse_address(address_text ? address_text : "", address, error) || !require_port(address, error)) {
         return 1;
     }
     // A thread of its own: the caller's may already run an event loop, and a thread has at most one.
@@ -546,7 +584,12 @@ extern "C" int spear_describe(
             copy_text(description->scene, in.getScene());
             description->process_id = in.getProcessId();
             description->sessions = in.getSessions();
+            copy_text(description->project, in.getProject());
+            description->frame = in.getFrame();
+            description->uptime_ms = in.getUptimeMs();
             result = 0;
+        } catch (const UnknownHost&) {
+            fill_error(error, ErrorCode::EngineNotRunning, unknown_host_text(address));
         } catch (const kj::Exception& exception) {
             fill_error(error, ErrorCode::EngineNotRunning,
                 "No engine answers at " + address.text() + ": " + describe_failure(exception));
@@ -555,4 +598,9 @@ extern "C" int spear_describe(
         }
     }).join();
     return result;
+}
+
+extern "C" int spear_address_is_local(const char* text) {
+    Address address;
+    return !parse_address(text ? text : "", address, nullptr) || address.is_local();
 }

@@ -38,6 +38,7 @@ bool ClientChannel::submit(std::uint64_t request, const spear_batch& batch) {
         writer_.write(
             {{&head, sizeof(head)}, {batch.releases, releases}, {batch.operations.data, batch.operations.size},
                 {batch.types.data, batch.types.size}, {zeros, padding(size)}});
+        sent_.add(TrafficCounter::bytes_of(batch));
         waits = writer_.waiting_bytes() != 0;
         wants_room_.store(waits, std::memory_order_relaxed);
     }
@@ -86,6 +87,7 @@ bool ClientChannel::call(const spear_call& call) {
     const std::uint32_t sequence = calls_.load(std::memory_order_relaxed) + 1;
     calls_.store(sequence, std::memory_order_relaxed);
     is_calling_.store(true, std::memory_order_relaxed);
+    calls_sent_.add(call.arguments.size);
     store_ordered(&out.sequence, sequence);
     wake_sleeper(&header_.game_thread_sleeps);
     return true;
@@ -110,6 +112,7 @@ int ClientChannel::take_call(bool spin, spear_call_answer& answer) {
     answer.frame = in.frame;
     answer.failed = state == CallState::failed;
     answer.value = {answer_, size};
+    calls_received_.add(size);
     answer.types = {};
     return 1;
 }
@@ -145,6 +148,7 @@ int ClientChannel::take(std::uint64_t& request, spear_answers& answers) {
         answers.error_code = head.error_code;
         answers.error_message = error_text_.c_str();
     }
+    received_.add(TrafficCounter::bytes_of(answers));
     return 1;
 }
 

@@ -34,6 +34,9 @@ public:
     std::uint32_t wakes() const noexcept { return wakes_.load(); }
     void wake() noexcept;
 
+    spear_traffic sent() const noexcept { return sent_.read() + calls_sent_.read(); }
+    spear_traffic received() const noexcept { return received_.read() + calls_received_.read(); }
+
 private:
     void wake_server(bool block);
     bool is_call_answered() const noexcept {
@@ -44,6 +47,9 @@ private:
     const std::unique_ptr<ChannelRegion> region_;
     ChannelHeader& header_;
     std::mutex write_mutex_;
+    TrafficCounter sent_; // counted under write_mutex_
+    TrafficCounter calls_sent_, calls_received_; // counted by who calls
+    TrafficCounter received_; // counted by who takes
     ChannelWriter writer_;
     std::atomic<bool> wants_room_{false};
     ChannelReader reader_;

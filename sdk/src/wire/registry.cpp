@@ -7,6 +7,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -34,6 +37,37 @@ std::string runtime_directory() {
     return directory;
 }
 
+namespace {
+
+/// When a process began, in the kernel's ticks since boot: tells it from a later one of the same number. 0: unknown.
+std::uint64_t start_time_of(pid_t process) {
+    std::ifstream in("/proc/" + std::to_string(process) + "/stat");
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    const std::size_t after_name = text.rfind(')'); // the name may hold spaces and parentheses
+    if (after_name == std::string::npos) {
+        return 0;
+    }
+    std::istringstream rest(text.substr(after_name + 1));
+    std::string field;
+    for (int i = 3; i < 22 && rest >> field; ++i) {}
+    std::uint64_t ticks = 0;
+    rest >> ticks;
+    return rest ? ticks : 0;
+}
+
+/// Whether the process of an entry still runs.
+bool is_running(const nlohmann::json& entry) {
+    const auto process = entry["pid"].get<pid_t>();
+    if (process <= 0 || (::kill(process, 0) != 0 && errno == ESRCH)) {
+        return false;
+    }
+    const auto began = entry.find("started");
+    const std::uint64_t begins = start_time_of(process);
+    return began == entry.end() || !began->is_number_unsigned() || begins == 0 || began->get<std::uint64_t>() == begins;
+}
+
+} // namespace
+
 RegistryEntry::RegistryEntry(const std::string& directory, const std::string& address) {
     const std::string home = directory.empty() ? runtime_directory() : directory;
     if (home.empty()) {
@@ -42,7 +76,7 @@ RegistryEntry::RegistryEntry(const std::string& directory, const std::string& ad
     const std::string file = home + "/engine-" + std::to_string(::getpid()) + ".json";
     const std::string unfinished = file + ".new";
     std::ofstream out(unfinished);
-    out << nlohmann::json{{"address", address}, {"pid", ::getpid()}}.dump() << '\n';
+    out << nlohmann::json{{"address", address}, {"pid", ::getpid()}, {"started", start_time_of(::getpid())}}.dump() << '\n';
     out.close();
     if (out && std::rename(unfinished.c_str(), file.c_str()) == 0) {
         file_ = file;
@@ -86,12 +120,11 @@ extern "C" size_t spear_list_engines(
                 !json.contains("pid") || !json["pid"].is_number_integer()) {
                 continue;
             }
-            const auto process = json["pid"].get<pid_t>();
-            if (process <= 0 || (::kill(process, 0) != 0 && errno == ESRCH)) {
+            if (!spear::wire::is_running(json)) {
                 spear::wire::files::remove(entry.path(), ignored); // its engine was killed
                 continue;
             }
-            each(user, json["address"].get_ref<const std::string&>().c_str(), static_cast<uint64_t>(process));
+            each(user, json["address"].get_ref<const std::string&>().c_str(), json["pid"].get<uint64_t>());
             ++count;
         }
     } catch (...) { // an unreadable directory lists nothing

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 #include <condition_variable>
 #include <map>
@@ -23,6 +24,7 @@
 #include "server_channels.hpp"
 #include "spear.capnp.h"
 #include "spear/limits.hpp"
+#include "spear_trace.h"
 #include "spear_wire.h"
 
 namespace spear::wire {
@@ -37,6 +39,14 @@ spear_bytes as_bytes(capnp::Data::Reader data) { return {data.begin(), data.size
 template <std::size_t N>
 kj::StringPtr as_text(const char (&buffer)[N]) {
     return kj::StringPtr(buffer, strnlen(buffer, N - 1));
+}
+
+/// Gives a batch to the engine's queue.
+void deliver_batch(
+    const spear_server_callbacks& callbacks, std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
+    const TraceSpan span(SPEAR_TRACE_RECEIVE, session, batch.transaction, batch.block);
+    callbacks.submit(callbacks.user, session, request, &batch);
+    trace_moment(SPEAR_TRACE_QUEUED, session, batch.transaction, batch.block);
 }
 
 /// Answers on their way from the game thread to the loop.
@@ -66,6 +76,7 @@ struct SessionState {
     std::unordered_map<std::uint64_t, Pending> pending; // by request
     std::shared_ptr<ServerChannel> offered;             // until the client has answered
     bool has_channel = false;
+    TrafficCounter received, sent; // by RPC
     std::vector<kj::Own<kj::PromiseFulfiller<void>>> told_of_end;
 };
 
@@ -166,6 +177,12 @@ private:
     kj::Promise<void> accept();
     kj::Promise<void> watch_lease(std::uint64_t id);
     void drop_connection(std::uint64_t connection);
+    void log(const Text& text) const {
+        if (callbacks_.log) {
+            callbacks_.log(callbacks_.user, text.c_str());
+        }
+    }
+    kj::Promise<void> watch_connection(std::uint64_t connection);
     void taskFailed(kj::Exception&&) override {} // one client's broken connection is nobody else's concern
 
     const std::shared_ptr<bool> lives_ = std::make_shared<bool>(true);
@@ -173,6 +190,7 @@ private:
     const Options& options_;
     const spear_server_callbacks& callbacks_;
     ServerChannels& channels_;
+    const kj::TimePoint started_ = io_.provider->getTimer().now();
     std::uint64_t next_connection_ = 1;
     std::uint64_t next_session_ = 1;
     std::uint64_t next_request_ = 1;
@@ -196,8 +214,27 @@ kj::Promise<void> ServerLoop::accept() {
             tasks_.add(connection->network.onDisconnect().then([this, number] { drop_connection(number); },
                 [this, number](kj::Exception&&) { drop_connection(number); }));
             connections_.emplace(number, kj::mv(connection));
+            tasks_.add(watch_connection(number));
         }
         return accept();
+    });
+}
+
+/// A connection without a session is given up after some time: who connects and says nothing, or stops before it has
+/// closed, takes no place from others.
+kj::Promise<void> ServerLoop::watch_connection(std::uint64_t connection) {
+    const std::uint32_t patience = std::max(4 * options_.default_lease_ms, 1000u);
+    return io_.provider->getTimer().afterDelay(patience * kj::MILLISECONDS).then([this, connection]() -> kj::Promise<void> {
+        const bool has_session = std::any_of(sessions_.begin(), sessions_.end(),
+            [&](const auto& one) { return one.second.connection == connection; });
+        if (connections_.count(connection) == 0) {
+            return kj::READY_NOW;
+        }
+        if (has_session) {
+            return watch_connection(connection);
+        }
+        drop_connection(connection);
+        return kj::READY_NOW;
     });
 }
 
@@ -318,11 +355,11 @@ kj::Promise<void> ServerLoop::submit(std::uint64_t id, SessionState::SubmitConte
     out.operations = as_bytes(batch.getOperations());
     out.releases = releases.data();
     out.release_count = releases.size();
+    state.received.add(TrafficCounter::bytes_of(out));
     const std::uint64_t request = next_request_++;
     auto done = kj::newPromiseAndFulfiller<void>();
     state.pending.emplace(request, SessionState::Pending{context, kj::mv(done.fulfiller)});
-    callbacks_.submit(
-        callbacks_.user, id, request, &out); // may reply at once: through the queue, so not before this returns
+    deliver_batch(callbacks_, id, request, out); // may reply at once: through the queue, so not before this returns
     context.releaseParams();
     return kj::mv(done.promise);
 }
@@ -336,6 +373,7 @@ void ServerLoop::reply(std::uint64_t id, std::uint64_t request, const Reply& rep
     if (pending == at->second.pending.end()) {
         return;
     }
+    const TraceSpan span(SPEAR_TRACE_ANSWER, id, request);
     SessionState::Pending answered = kj::mv(pending->second);
     at->second.pending.erase(pending);
     const std::size_t words =
@@ -349,6 +387,7 @@ void ServerLoop::reply(std::uint64_t id, std::uint64_t request, const Reply& rep
         error.setCode(reply.error_code);
         error.setMessage(reply.error_message);
     }
+    at->second.sent.add(reply.types.size() + reply.answers.size());
     answered.done->fulfill();
 }
 
@@ -356,6 +395,17 @@ void ServerLoop::status(std::uint64_t id, protocol::Status::Builder out) {
     sign_of_life(id);
     spear_status status{};
     callbacks_.status(callbacks_.user, id, &status);
+    const SessionState& state = session(id);
+    status.received = state.received.read();
+    status.sent = state.sent.read();
+    if (state.has_channel) {
+        channels_.get_traffic(id, status.received, status.sent);
+    }
+    out.setBatchesReceived(status.received.messages);
+    out.setBytesReceived(status.received.bytes);
+    out.setAnswersSent(status.sent.messages);
+    out.setBytesSent(status.sent.bytes);
+    out.setKeptResults(status.kept_results);
     out.setState(static_cast<protocol::Status::State>(status.state));
     out.setFrame(status.frame);
     out.setFramesAgeMs(status.frames_age_ms);
@@ -370,6 +420,9 @@ void ServerLoop::describe(protocol::Description::Builder out) {
     out.setEngine(as_text(description.engine));
     out.setScene(as_text(description.scene));
     out.setProcessId(description.process_id);
+    out.setProject(as_text(description.project));
+    out.setFrame(description.frame);
+    out.setUptimeMs(static_cast<std::uint64_t>((io_.provider->getTimer().now() - started_) / kj::MILLISECONDS));
     out.setSessions(static_cast<std::uint32_t>(sessions_.size()));
 }
 
@@ -398,6 +451,9 @@ std::string ServerLoop::offer_channel(std::uint64_t id) {
     }
     std::string why;
     state.offered = channels_.offer(id, options_.max_message_bytes, why);
+    if (!state.offered) {
+        log("Session " + std::to_string(id) + " goes without its shared memory channel, by RPC: " + why);
+    }
     return state.offered ? state.offered->name() : std::string();
 }
 
@@ -479,7 +535,7 @@ struct spear_server {
     ServerLoop* loop = nullptr; // server thread
     ServerChannels channels{
         ChannelEvents{[this](std::uint64_t session, std::uint64_t request, const spear_batch& batch) {
-                          callbacks.submit(callbacks.user, session, request, &batch);
+                          deliver_batch(callbacks, session, request, batch);
                       },
             [this](std::uint64_t session, const char* reason) { spear_server_drop(this, session, reason); }}};
     std::thread thread;
@@ -490,6 +546,7 @@ struct spear_server {
         sigfillset(&all);
         pthread_sigmask(SIG_BLOCK, &all, nullptr);
         pthread_setname_np(pthread_self(), "SpearServer");
+        spear_trace_name_thread("server thread");
         Text reason;
         try {
             auto io = kj::setupAsyncIo();
@@ -552,8 +609,14 @@ extern "C" spear_server* spear_server_start(
         if (server->listener < 0) {
             return nullptr;
         }
+        if (!own.address.is_loopback && own.token.empty()) { // a "localhost" that is none
+            ::close(server->listener);
+            fill_error(error, ErrorCode::Unauthorized,
+                own.address.text() + " can be reached from other machines, so it needs a token.");
+            return nullptr;
+        }
         server->address = own.address.text();
-        ChannelRegion::remove_leftovers();
+        (void)spear_remove_leftovers(options->registry_directory, 0, nullptr, nullptr);
         server->thread = std::thread([raw = server.get()] { raw->run(); });
         {
             std::unique_lock lock(server->mutex);
@@ -579,6 +642,7 @@ extern "C" const char* spear_server_address(const spear_server* server) { return
 
 extern "C" void spear_server_reply(
     spear_server* server, uint64_t session, uint64_t request, const spear_answers* answers) {
+    const TraceSpan span(SPEAR_TRACE_ANSWER, session, request);
     try {
         if (server->channels.reply(session, request, *answers)) {
             return;

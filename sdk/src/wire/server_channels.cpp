@@ -10,6 +10,7 @@
 #include <pthread.h>
 
 #include "spear/limits.hpp"
+#include "spear_trace.h"
 
 namespace spear::wire {
 namespace {
@@ -110,6 +111,7 @@ void ServerChannel::deliver() {
     batch.release_count = head.release_count;
     batch.operations = {at + releases, head.operations_bytes};
     batch.types = {at + releases + head.operations_bytes, head.types_bytes};
+    received_.add(TrafficCounter::bytes_of(batch));
     events_.submit(session_, head.request, batch);
 }
 
@@ -130,6 +132,7 @@ void ServerChannel::reply(std::uint64_t request, const spear_answers& answers) {
         const std::lock_guard lock(write_mutex_);
         writer_.write({{&head, sizeof(head)}, {answers.answers.data, answers.answers.size},
             {answers.types.data, answers.types.size}, {text, head.error_bytes}, {zeros, padding(size)}});
+        sent_.add(TrafficCounter::bytes_of(answers));
         if (writer_.waiting_bytes() != 0) {
             wants_room_ = true;
             store_ordered(&header_.server_wants_room, 1u);
@@ -165,6 +168,7 @@ bool ServerChannel::take_call(spear_call& call) {
     }
     std::memcpy(call_, in.arguments, size);
     call.arguments = {call_, size};
+    calls_received_.add(size);
     return true;
 }
 
@@ -181,6 +185,7 @@ void ServerChannel::answer_call(const spear_call_answer& answer) {
     } else {
         std::memcpy(out.answer, answer.value.data, answer.value.size);
         out.answer_bytes = static_cast<std::uint16_t>(answer.value.size);
+        calls_sent_.add(answer.value.size);
     }
     out.state = static_cast<std::uint16_t>(state);
     out.frame = answer.frame;
@@ -230,6 +235,7 @@ void ServerChannel::watch() {
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     pthread_setname_np(pthread_self(), "SpearChannel");
+    spear_trace_name_thread("channel watcher");
     unsigned fruitless = 0;
     while (!closed_) {
         std::size_t done = 0;
@@ -308,6 +314,13 @@ std::shared_ptr<ServerChannel> ServerChannels::find(std::uint64_t session) const
     const std::lock_guard lock(mutex_);
     const auto at = channels_.find(session);
     return at != channels_.end() ? at->second : nullptr;
+}
+
+void ServerChannels::get_traffic(std::uint64_t session, spear_traffic& received, spear_traffic& sent) const {
+    if (const std::shared_ptr<ServerChannel> channel = find(session)) {
+        received = channel->received();
+        sent = channel->sent();
+    }
 }
 
 bool ServerChannels::reply(std::uint64_t session, std::uint64_t request, const spear_answers& answers) {

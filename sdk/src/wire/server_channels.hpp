@@ -51,6 +51,8 @@ public:
     /// Any thread.
     void reply(std::uint64_t request, const spear_answers& answers);
     void set_wake_for_blocks(bool wanted) noexcept;
+    spear_traffic received() const noexcept { return received_.read() + calls_received_.read(); }
+    spear_traffic sent() const noexcept { return sent_.read() + calls_sent_.read(); }
 
     // Game thread.
     void claim() noexcept;
@@ -83,13 +85,16 @@ private:
     std::mutex read_mutex_; ///< the reader of the moment
     ChannelReader reader_;
     bool dropped_ = false; ///< under read_mutex_
+    TrafficCounter received_; ///< counted under read_mutex_
 
     std::mutex write_mutex_;
     ChannelWriter writer_;
+    TrafficCounter sent_; ///< counted under write_mutex_
     std::atomic<bool> wants_room_{false};
 
     std::unique_ptr<Spinner> spinner_; ///< game thread
-    std::uint32_t calls_ = 0;          ///< game thread: taken
+    TrafficCounter calls_received_, calls_sent_; ///< game thread counts
+    std::uint32_t calls_ = 0;                    ///< game thread: taken
     std::uint64_t call_number_ = 0;    ///< game thread: of the one taken last
     alignas(16) std::uint8_t call_[sizeof(ChannelCall::arguments)]; ///< game thread: likewise
     std::thread watcher_;
@@ -110,6 +115,8 @@ public:
     /// Any thread. False if the session has no channel.
     bool reply(std::uint64_t session, std::uint64_t request, const spear_answers& answers);
     bool has(std::uint64_t session) const { return find(session) != nullptr; }
+    /// Any thread. Nothing if the session has no channel.
+    void get_traffic(std::uint64_t session, spear_traffic& received, spear_traffic& sent) const;
 
     // Game thread.
     void poll();

@@ -81,10 +81,19 @@ typedef struct spear_call_answer {
     spear_bytes types; /* announcements that go ahead of it; from the server only */
 } spear_call_answer;
 
+/* Messages one way: batches of operations, or answers to them; bytes of what is in them, without the transport's envelope. */
+typedef struct spear_traffic {
+    uint64_t messages;
+    uint64_t bytes;
+} spear_traffic;
+
 typedef struct spear_status {
     uint8_t state;
     uint64_t frame;
     uint32_t frames_age_ms;
+    spear_traffic received; /* of this session so far, counted by the server's half of this library: callbacks need not fill them in */
+    spear_traffic sent;
+    uint64_t kept_results; /* results that the engine keeps for the session's futures */
     char holder[256];
     char detail[512];
 } spear_status;
@@ -95,6 +104,9 @@ typedef struct spear_description {
     char scene[256];
     uint64_t process_id;
     uint32_t sessions;
+    char project[128];
+    uint64_t frame;
+    uint64_t uptime_ms; /* since the server began to listen; its own affair, not the callback's */
 } spear_description;
 
 /* Server half -----------------------------------------------------------------------------------------------------------
@@ -124,6 +136,8 @@ typedef struct spear_server_callbacks {
     void (*submit)(void* user, uint64_t session, uint64_t request, const spear_batch* batch);
     void (*status)(void* user, uint64_t session, spear_status* status);
     void (*describe)(void* user, spear_description* description);
+    /* Something that somebody who looks for the reason later should find in the engine's log. May be NULL. */
+    void (*log)(void* user, const char* text);
 } spear_server_callbacks;
 
 typedef struct spear_server_options {
@@ -218,11 +232,16 @@ SPEAR_WIRE_API uint32_t spear_client_wakes(const spear_client* client);
 SPEAR_WIRE_API void spear_client_wake(spear_client* client);
 /* Any thread but the I/O thread. Asks the server thread; nonzero with the error filled if no answer within the timeout. */
 SPEAR_WIRE_API int spear_client_status(spear_client* client, uint32_t timeout_ms, spear_status* status, spear_wire_error* error);
+/* Any thread. What this client has sent and received so far. */
+SPEAR_WIRE_API void spear_client_traffic(const spear_client* client, spear_traffic* sent, spear_traffic* received);
 /* Not from a callback. Closes the session in good order, joins the thread. No callback runs afterwards. */
 SPEAR_WIRE_API void spear_client_close(spear_client* client);
 
 /* Asks the engine at an address what it is, without a session. Nonzero with the error filled if it cannot. */
 SPEAR_WIRE_API int spear_describe(const char* address, uint32_t timeout_ms, spear_description* description, spear_wire_error* error);
+
+/* Whether an address is a Unix socket or loopback, where no token is needed; also for what is no address. */
+SPEAR_WIRE_API int spear_address_is_local(const char* address);
 
 /* Listing ----------------------------------------------------------------------------------------------------------------- */
 
@@ -231,6 +250,11 @@ SPEAR_WIRE_API int spear_describe(const char* address, uint32_t timeout_ms, spea
 SPEAR_WIRE_API size_t spear_runtime_directory(char* buffer, size_t size);
 /* Calls `each` for every engine of this user that is running; NULL: the default directory. Returns their number. */
 SPEAR_WIRE_API size_t spear_list_engines(const char* directory, void* user, void (*each)(void* user, const char* address, uint64_t process_id));
+
+/* Removes what killed engines of this user left behind: sockets at which nobody listens, registry entries, shared memory, and, with
+ * `logs_too` or a day after their end, logs. Calls `each` (may be NULL) with every path removed; returns their number. launch() and every
+ * server that starts do this. NULL: the default directory. */
+SPEAR_WIRE_API size_t spear_remove_leftovers(const char* directory, int logs_too, void* user, void (*each)(void* user, const char* path));
 
 #ifdef __cplusplus
 }

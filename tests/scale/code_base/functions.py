@@ -39,10 +39,12 @@ class Functions:
 
     def __init__(self, random_: random.Random, types: Types, compilable: bool):
         self.random, self.types, self.compilable = random_, types, compilable
+        self.members: set[str] = set()  # names that no parameter of the function being written may have
 
     def of_class(self, owner: ClassType, header: Header, indent: str, access: str) -> tuple[list[str], list[str]]:
         """One function: (lines, lines of the source file)."""
         r = self.random
+        self.members = owner.names
         if owner.kind == "library":
             draft = self._library(owner, header)
         elif owner.kind == "interface":
@@ -57,6 +59,7 @@ class Functions:
             if owner.kind == "actor":
                 kinds.append((self._exec, 1))
             draft = r.choices([k for k, _ in kinds], [w for _, w in kinds])[0](owner, header)
+        owner.parameters |= {name.lower() for _, name, _ in draft.parameters}
         return self._write(owner, header, indent, draft)
 
     # Kinds --------------------------------------------------------------------------------------------------------------
@@ -69,6 +72,10 @@ class Functions:
                 owner.names.add(word.lower())
                 return word
         return fresh_name(r, owner.names, pattern.replace("{v}", r.choice(VERBS)))
+
+    def _parameter(self, taken: set[str], pattern: str) -> str:
+        """A parameter's name, which hides no member."""
+        return fresh_name(self.random, taken, pattern, beside=self.members)
 
     def _category(self, header: Header) -> str:
         r = self.random
@@ -89,16 +96,16 @@ class Functions:
                 draft.parameters[-1] = ("int32", name, "0")
         for _ in range(outputs):
             use = self.types.value(header)
-            name = fresh_name(r, taken, "Out{q}{n}")
+            name = self._parameter(taken, "Out{q}{n}")
             position = next((i for i, p in enumerate(draft.parameters) if p[2]), len(draft.parameters))
             draft.parameters.insert(position, (f"{use.text}&", name, ""))
 
     def _input(self, header: Header, draft: Draft, use: Use, taken: set[str], optional_chance: float) -> None:
         r = self.random
-        name = fresh_name(r, taken, "b{q}{n}" if use.kind == "bool" else r.choice(["{n}", "{q}{n}", "In{n}", "New{n}"]), None)
+        name = self._parameter(taken, "b{q}{n}" if use.kind == "bool" else r.choice(["{n}", "{q}{n}", "In{n}", "New{n}"]))
         if use.kind != "bool" and r.random() < 0.012:
             word = r.choice(RESERVED_PARAMETERS)
-            if word.lower() not in taken:
+            if word.lower() not in taken and word.lower() not in self.members:
                 taken.add(word.lower())
                 name = word
         default = r.choice(use.arguments) if use.arguments and r.random() < optional_chance else ""
@@ -130,7 +137,7 @@ class Functions:
             draft.specifiers.append(r.choice(["BlueprintAuthorityOnly", "BlueprintCosmetic"]))
         if r.random() < 0.03:
             taken = {n.lower() for _, n, _ in draft.parameters}
-            draft.parameters.insert(0, (f"UPARAM(ref) {r.choice(['int32', 'FVector', 'TArray<FName>', 'FString'])}&", fresh_name(r, taken, "InOut{n}"), ""))
+            draft.parameters.insert(0, (f"UPARAM(ref) {r.choice(['int32', 'FVector', 'TArray<FName>', 'FString'])}&", self._parameter(taken, "InOut{n}"), ""))
         by_reference = [n for t, n, d in draft.parameters if t.startswith("const ") and t.endswith("&") and not d]
         if by_reference and r.random() < 0.05:
             draft.meta.append(f'AutoCreateRefTerm = "{", ".join(by_reference)}"')
@@ -160,7 +167,7 @@ class Functions:
             self.types.include(header, "FHitResult")
             taken = {n.lower() for _, n, _ in draft.parameters}
             position = next((i for i, p in enumerate(draft.parameters) if p[2]), len(draft.parameters))
-            draft.parameters.insert(position, ("FHitResult&", fresh_name(r, taken, "Out{q}Hit"), ""))
+            draft.parameters.insert(position, ("FHitResult&", self._parameter(taken, "Out{q}Hit"), ""))
         return draft
 
     def _native_event(self, owner: ClassType, header: Header) -> Draft:
@@ -229,7 +236,7 @@ class Functions:
         draft = Draft(self._name(owner, "{v}{n}With"), ["BlueprintCallable", self._category(header)])
         self._parameters(header, draft, 1, defaults=False)
         taken = {n.lower() for _, n, _ in draft.parameters}
-        draft.parameters.append((f"const {found.name}&" if self.random.random() < 0.5 else found.name, fresh_name(self.random, taken, "{q}Callback"), ""))
+        draft.parameters.append((f"const {found.name}&" if self.random.random() < 0.5 else found.name, self._parameter(taken, "{q}Callback"), ""))
         return draft
 
     def _library(self, owner: ClassType, header: Header) -> Draft:

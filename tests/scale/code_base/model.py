@@ -55,6 +55,7 @@ class ClassType:
     parent: ClassType | None
     base: str  # C++ name of the super class, also where it is none of ours
     names: set[str] = field(default_factory=set)  # lower case names of members, inherited ones too
+    parameters: set[str] = field(default_factory=set)  # lower case names of parameters of its own functions; no member may have one of them
     members: int = 0  # with those inherited inside the code base
     depth: int = 1
     old_body: bool = False

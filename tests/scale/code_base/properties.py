@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Set
 
 from .comments import property_comment, unit_of, written
 from .model import ClassType, DelegateType, Header, StructType
@@ -11,11 +12,11 @@ from .types import Types, Use, visible
 from .vocabulary import NOUNS, QUALIFIERS, RESERVED_PROPERTIES, RESERVED_STRUCT_FIELDS
 
 
-def fresh_name(r: random.Random, taken: set[str], pattern: str = "{q}{n}", reserved: list[str] | None = None, topic: str = "") -> str:
-    """A name that nobody in the hierarchy has; now and then a word reserved elsewhere."""
+def fresh_name(r: random.Random, taken: set[str], pattern: str = "{q}{n}", reserved: list[str] | None = None, topic: str = "", beside: Set[str] = frozenset()) -> str:
+    """A name that nobody in the hierarchy (`taken`) or in `beside` has, added to `taken`; now and then a word reserved elsewhere."""
     if reserved and r.random() < 0.004:
         word = r.choice(reserved)
-        if word.lower() not in taken:
+        if word.lower() not in taken and word.lower() not in beside:
             taken.add(word.lower())
             return word
     for attempt in range(1000):
@@ -27,7 +28,7 @@ def fresh_name(r: random.Random, taken: set[str], pattern: str = "{q}{n}", reser
         name = pattern.format(q=q, n=n)
         if attempt > 20:
             name += str(attempt)
-        if name.lower() not in taken:
+        if name.lower() not in taken and name.lower() not in beside:
             taken.add(name.lower())
             return name
     raise AssertionError("no name left")
@@ -66,7 +67,7 @@ class Properties:
         use = self.types.member(header, blueprint)
         blueprint = blueprint and use.blueprint
         bits = use.kind == "bool" and r.random() < 0.25
-        name = fresh_name(r, owner.names, "b{q}{n}" if use.kind == "bool" else r.choice(["{q}{n}", "{q}{n}", "{n}" + owner.kind.capitalize()]), None if use.kind == "bool" else RESERVED_PROPERTIES, header.topic)
+        name = fresh_name(r, owner.names, "b{q}{n}" if use.kind == "bool" else r.choice(["{q}{n}", "{q}{n}", "{n}" + owner.kind.capitalize()]), None if use.kind == "bool" else RESERVED_PROPERTIES, header.topic, owner.parameters)
         component = use.kind == "object" and str(use.of).endswith("Component")
         public: list[str] = []
         source: list[str] = []
@@ -78,7 +79,7 @@ class Properties:
             specifiers = [r.choice(["EditAnywhere", "EditAnywhere", "EditDefaultsOnly", "EditInstanceOnly", "VisibleAnywhere", "VisibleInstanceOnly", "EditAnywhere, AdvancedDisplay"])]
         if blueprint:
             read_only = r.random() < 0.4 or component
-            if not component and (use.kind == "object" or "TObjectPtr" not in use.text) and r.random() < 0.02 and access == "public":
+            if not component and (use.kind == "object" or "TObjectPtr" not in use.text) and r.random() < 0.02 and access == "public" and self._accessors_free(owner, use, name, blueprint=True):
                 specifiers.append(f"BlueprintGetter=Get{name}, BlueprintSetter=Set{name}")
                 made = self._accessors(owner, header, indent, use, name, blueprint=True)
                 public, source = made
@@ -86,7 +87,7 @@ class Properties:
                 specifiers.append("BlueprintReadOnly" if read_only else "BlueprintReadWrite")
             if access == "private":
                 extra.append('AllowPrivateAccess="true"')
-        elif r.random() < 0.02 and use.kind in ("number", "bool", "core_struct") and not bits and access != "private":
+        elif r.random() < 0.02 and use.kind in ("number", "bool", "core_struct") and not bits and access != "private" and self._accessors_free(owner, use, name, blueprint=False):
             specifiers += ["Getter", "Setter"]
             public, source = self._accessors(owner, header, indent, use, name, blueprint=False)
         if specifiers or r.random() < 0.5:
@@ -100,7 +101,7 @@ class Properties:
                 specifiers.append(f"ReplicatedUsing = OnRep_{name}")
                 public += [f"{indent}UFUNCTION()", f"{indent}void OnRep_{name}();", ""]
                 source.append(f"void {owner.name}::OnRep_{name}() {{}}")
-        lines = self._write(header, indent, use, name, specifiers, self._meta(use, name, True) + extra, bits, fixed=not blueprint and use.kind == "number" and r.random() < 0.04)
+        lines = self._write(header, indent, use, name, specifiers, self._meta(use, name, True) + extra, bits, fixed=not blueprint and not public and use.kind == "number" and r.random() < 0.04)
         if r.random() < 0.025 and not public and not blueprint:
             lines = ["#if WITH_EDITORONLY_DATA", *lines, "#endif"]
         return lines, public, source
@@ -155,9 +156,20 @@ class Properties:
             meta.append('AllowedClasses = "/Script/Engine.StaticMesh, /Script/Engine.Texture2D"')
         return meta
 
+    @staticmethod
+    def _accessor_name(use: Use, name: str, blueprint: bool) -> str:
+        """What stands behind Get and Set."""
+        return name[1:] if use.kind == "bool" and not blueprint else name  # Unreal drops the b there
+
+    def _accessors_free(self, owner: ClassType, use: Use, name: str, blueprint: bool) -> bool:
+        """Whether the hierarchy has no functions of these names yet."""
+        called = self._accessor_name(use, name, blueprint).lower()
+        return not {f"get{called}", f"set{called}", f"new{name.lower()}"} & owner.names
+
     def _accessors(self, owner: ClassType, header: Header, indent: str, use: Use, name: str, blueprint: bool) -> tuple[list[str], list[str]]:
-        called = name[1:] if use.kind == "bool" and not blueprint else name  # Unreal drops the b there
+        called = self._accessor_name(use, name, blueprint)
         owner.names |= {f"get{called.lower()}", f"set{called.lower()}"}
+        owner.parameters.add(f"new{name.lower()}")
         # Accessors are functions: plain pointers, as Unreal's header tool wants them.
         plain = f"{use.of}*" if use.kind == "object" else use.text
         value = f"const {plain}&" if use.large else plain
@@ -175,6 +187,6 @@ class Properties:
         r = self.random
         if delegate.header is not header:
             header.includes.add(delegate.header.include)
-        name = fresh_name(r, owner.names, "On{q}{n}Changed" if delegate.multicast else "{q}{n}Callback")
+        name = fresh_name(r, owner.names, "On{q}{n}Changed" if delegate.multicast else "{q}{n}Callback", beside=owner.parameters)
         macro = f'UPROPERTY(BlueprintAssignable, Category = "{header.topic}")' if delegate.multicast else "UPROPERTY()"
         return [*written(property_comment(r, name), header.style, indent), indent + macro, f"{indent}{delegate.name} {name};"]

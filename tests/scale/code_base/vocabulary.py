@@ -50,6 +50,15 @@ RESERVED_PARAMETERS = "self from in is lambda def with async type object list st
 RESERVED_STRUCT_FIELDS = "get set copy from is lambda with type to_dict from_dict struct_name field_names def pass keys items".split()
 RESERVED_ENTRIES = "None name value mro True_ Self lambda from is in pass class_ Not".split()
 
+#: Members of the engine classes that ours derive from, as far as the words above can make them; neither a member nor a parameter of ours may hide one.
+ENGINE_MEMBERS = {name.lower() for name in (
+    "Owner Instigator Tags World RootComponent Class Outer Name Location Rotation Mobility Role SendQueue Mask Bounds BoundsScale StaticMesh RelativeLocation RelativeRotation bHidden bVisible "
+    "Add AddLocalOffset AddLocalRotation AddRelativeLocation AddRelativeRotation AddWorldOffset AddWorldRotation BeginPlay GetDefaultAttachComponent GetLevel GetLocalBounds GetLocalRole GetLocation "
+    "GetMaterial GetMaterialIndex GetOuter GetOwner GetOwnerRole GetRelativeLocation GetRelativeRotation GetRemoteRole GetRotation GetSocketLocation GetSocketRotation GetStaticMesh GetTargetLocation "
+    "GetVelocity GetWorld IsActive IsHidden IsVisible MoveComponent NotifyHit OnAttachmentChanged OnLeaveWorld OnRegister OnVisibilityChanged OnWorldBeginPlay ReceiveBeginPlay ReceiveHit ReceiveTick "
+    "RegisterComponent Reset SetActive SetBoundsScale SetHidden SetMaterial SetOwner SetRelativeLocation SetRelativeRotation SetStaticMesh SetTickGroup SetVisibility SetWorldLocation SetWorldRotation "
+    "Tick TickActor TickComponent ToggleActive ToggleVisibility UpdateBounds").split()}
+
 UNITS = [("Distance", "cm", "in cm"), ("Speed", "cm/s", "in cm/s"), ("Angle", "deg", "in degrees"), ("Duration", "s", "in seconds"), ("Delay", "s", "(seconds)"), ("Mass", "kg", "[kg]"),
          ("Temperature", "C", "in degrees Celsius"), ("Force", "N", "in newtons"), ("Height", "cm", "in cm above the ground"), ("Radius", "cm", "[cm]"), ("Rate", "Hz", "(Hz)"), ("Length", "m", "in metres"),
          ("Torque", "Nm", "in newton metres"), ("Interval", "s", "in seconds"), ("Lifetime", "s", "in seconds")]

@@ -12,10 +12,7 @@ from .headers import Writer
 from .model import ClassType, Header, Module
 from .plan import ENGINE_TYPES, choose_parent, make_headers
 from .types import ENGINE_INCLUDES, Types, visible
-from .vocabulary import MODULES
-
-#: Lower-case names of members of the engine's own classes; ours must not hide them.
-ENGINE_MEMBERS = {"owner", "instigator", "tags", "world", "rootcomponent", "class", "outer", "name", "location", "rotation", "getowner", "getworld", "mobility", "role", "sendqueue"}
+from .vocabulary import ENGINE_MEMBERS, MODULES
 
 
 def build(target: Path, headers: int, functions: int, properties: int, seed: int, compilable: bool, progress: Callable[[int, int], None] = lambda done, total: None) -> dict[str, int]:

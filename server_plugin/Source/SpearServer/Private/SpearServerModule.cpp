@@ -86,6 +86,11 @@ TSpearResult<FServerOptions> ReadOptions() {
         Options.LeaseMs = std::clamp(
             static_cast<uint32>(std::max(LeaseMs, 0)), spear::limits::min_lease_ms, spear::limits::max_lease_ms);
     }
+    int64 QueuedBytes = 0;
+    if (FParse::Value(FCommandLine::Get(), TEXT("-SpearQueuedBytes="), QueuedBytes)) { // for machines with little memory
+        Options.MaxQueuedBytes = static_cast<std::size_t>(
+            std::clamp(QueuedBytes, int64{1} << 20, static_cast<int64>(spear::limits::max_queued_bytes)));
+    }
     return Options;
 }
 
@@ -122,6 +127,7 @@ private:
         TSpearResult<FServerOptions> Options = ReadOptions();
         if (!Options.IsOk()) {
             UE_LOG(LogSpear, Error, TEXT("SPEAR does not listen: %s"), *FromUtf8(Options.GetError().message));
+            ExitIfItMustListen();
             return;
         }
         Server = std::make_unique<FServer>();
@@ -130,9 +136,17 @@ private:
             UE_LOG(LogSpear, Error, TEXT("SPEAR does not listen at %s: %s"), *FromUtf8(Options.GetValue().Address),
                 *FromUtf8(Started.GetError().message));
             Server.reset();
+            ExitIfItMustListen();
             return;
         }
         UE_LOG(LogSpear, Display, TEXT("SPEAR listens at %s"), *FromUtf8(Server->GetAddress()));
+    }
+
+    /// For engines that were started to be driven: nobody could ever reach this one.
+    static void ExitIfItMustListen() {
+        if (FParse::Param(FCommandLine::Get(), TEXT("SpearMustListen"))) {
+            FPlatformMisc::RequestExitWithStatus(false, 1);
+        }
     }
 
     void StopServer() {

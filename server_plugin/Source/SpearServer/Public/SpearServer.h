@@ -7,12 +7,15 @@
 
 /**
  * The SPEAR server: lets programs in other processes call the reflection system of this application. It starts with the
- * engine and needs no calls; command line options (each `-Name=Value`):
+ * engine and needs no calls. Command line options:
  *
- *     -SpearAddress=unix:/path | tcp://host:port    where to listen; default: a Unix socket in $XDG_RUNTIME_DIR/spear,
- * or /tmp/spear-<uid> -SpearToken=text, -SpearTokenFile=path        what clients must know; needed for addresses other
- * than loopback -SpearLease=milliseconds                      how long a silent client is taken for alive, if it does
- * not ask for something else -SpearOff                                     no server
+ * - `-SpearAddress=unix:/path` or `-SpearAddress=tcp://host:port`: where to listen. By default at a Unix socket in
+ *   $XDG_RUNTIME_DIR/spear or /tmp/spear-<uid>.
+ * - `-SpearToken=text`, `-SpearTokenFile=path`: what clients must know; needed for addresses other than loopback.
+ * - `-SpearLease=milliseconds`: how long a silent client is taken for alive, if it does not ask for something else.
+ * - `-SpearQueuedBytes=bytes`: how much one client may have waiting for its frame, less than
+ *   limits::max_queued_bytes, for machines with little memory.
+ * - `-SpearOff`: no server.
  */
 class ISpearServerModule : public IModuleInterface {
 public:

@@ -4,6 +4,9 @@
 
 #include "Engine/Engine.h"
 #include "Engine/World.h"
+#include "HAL/PlatformProcess.h"
+#include "Misc/FileHelper.h"
+#include "Misc/Paths.h"
 #include "Modules/ModuleManager.h"
 #include "UObject/Stack.h"
 #include "UObject/UObjectGlobals.h"
@@ -46,6 +49,18 @@ DEFINE_FUNCTION(URoundTripCalls::execThunked) {
 }
 
 void URoundTripCalls::CollectNow() { CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS); }
+
+int64 URoundTripCalls::Ticket() {
+    static int64 Last = 0;
+    return ++Last;
+}
+
+void URoundTripCalls::BlockFrames(const FString& Folder) {
+    FFileHelper::SaveStringToFile(TEXT("began"), *(Folder / TEXT("began")));
+    while (!FPaths::FileExists(Folder / TEXT("go"))) {
+        FPlatformProcess::Sleep(0.001f);
+    }
+}
 
 TArray<uint8> URoundTripCalls::Bytes(int64 Count) {
     TArray<uint8> Result;

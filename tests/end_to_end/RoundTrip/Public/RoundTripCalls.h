@@ -48,6 +48,13 @@ public:
     static void CollectNow();
     UFUNCTION()
     TArray<uint8> Bytes(int64 Count);
+    /** 1, 2, 3, ...: tells in which order calls of all clients run. */
+    UFUNCTION()
+    static int64 Ticket();
+    /** Runs no frame any more, like a modal dialog: makes the file "began" in the folder, returns when it has a file
+     * "go". */
+    UFUNCTION()
+    static void BlockFrames(const FString& Folder);
     /** Names that mean something else in Python: of the function and of its parameters. */
     UFUNCTION()
     int32 async(int32 is, int32 lambda) { return is - lambda; }

@@ -2,7 +2,6 @@
 #include "SpearBench.h"
 
 #include "HAL/PlatformTime.h"
-#include "Modules/ModuleManager.h"
 #include "UObject/Class.h"
 
 double USpearBench::MeasureDirect(int32 Calls, bool bByName) {
@@ -18,5 +17,3 @@ double USpearBench::MeasureDirect(int32 Calls, bool bByName) {
     }
     return (FPlatformTime::Seconds() - Began) * 1e9 / FMath::Max(Calls, 1);
 }
-
-IMPLEMENT_MODULE(FDefaultModuleImpl, SpearBench)

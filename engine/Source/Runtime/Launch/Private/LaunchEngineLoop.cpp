@@ -19,6 +19,7 @@
 #include "UObject/GarbageCollection.h"
 #include "UObject/Package.h"
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 
@@ -229,7 +230,8 @@ void FEngineLoop::Tick() {
     FTaskGraphInterface::Get().ProcessThreadUntilIdle(ENamedThreads::GameThread);
     GEngine->Tick(static_cast<float>(FApp::GetDeltaTime()), false);
     FCoreDelegates::OnEndFrame.Broadcast();
-    ++GFrameCounter;
+    // Other threads read it for the log.
+    std::atomic_ref<uint64>(GFrameCounter).store(GFrameCounter + 1, std::memory_order_relaxed);
     if (bLimitFrames) {
         --FramesToGo;
     }

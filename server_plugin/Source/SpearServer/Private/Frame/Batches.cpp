@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Frame/Batches.h"
 
+#include "Frame/FrameTrace.h"
 #include "Frame/Session.h"
 
 #include "spear/limits.hpp"
@@ -62,6 +63,7 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
                 " is taken, or limits::max_kept_results = " + std::to_string(spear::limits::max_kept_results) +
                 " is reached; drop futures");
     } else {
+        FOperationTrace Trace(Session, Header.number, EntryPoint, Arguments);
         spear::Decoder In(Arguments);
         Outcome = GetHandler(EntryPoint)(Operation, In);
     }
@@ -151,7 +153,7 @@ bool RunPlainCall(FSession& Session, const spear::OperationHeader& Header, std::
 
 bool RunBatch(FSession& Session, FRunningBatch& Running) {
     const bool bInBlock = Running.Batch.Block != EBlock::None;
-    const uint16 CallFunction = CallFunctionEntryPoint();
+    const bool bPlainCalls = bInBlock && SPEAR_TRACE_LEVEL() != SPEAR_TRACE_OPERATIONS;
     const std::span<const std::byte> All(Running.Batch.Operations);
     if (bInBlock) {
         Session.Kept.BeginBatch(Running.Answers.buffer);
@@ -162,7 +164,7 @@ bool RunBatch(FSession& Session, FRunningBatch& Running) {
         const spear::OperationHeader Header = spear::decode_operation_header(In);
         const std::span<const std::byte> Arguments = In.get_raw(Header.bytes);
         const uint16 EntryPoint = Session.EntryPointOf(Header.entry_point);
-        if (!(bInBlock && EntryPoint == CallFunction && RunPlainCall(Session, Header, Arguments, Running.Answers)) &&
+        if (!(bPlainCalls && EntryPoint == CallFunctionEntryPoint() && RunPlainCall(Session, Header, Arguments, Running.Answers)) &&
             RunOperation(&Session, Header, EntryPoint, bInBlock, Arguments, Running.Answers) == EOutcome::Park) {
             return false;
         }
@@ -177,7 +179,7 @@ bool RunCall(FSession& Session, uint64 Number, uint16 EntryPoint, std::span<cons
     Header.number = Number;
     Header.flags = spear::OperationFlags::wants_answer;
     Answer.buffer.clear();
-    if (EntryPoint != CallFunctionEntryPoint() || !Session.PlainCalls.Run(Session, Arguments, &Answer)) {
+    if (EntryPoint != CallFunctionEntryPoint() || SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS || !Session.PlainCalls.Run(Session, Arguments, &Answer)) {
         Answer.buffer.clear();
         // The record of an answer, of which the value is wanted.
         RunOperation(&Session, Header, EntryPoint, true, Arguments, Answer);

@@ -25,12 +25,14 @@ void FFrameRunner::Start(spear_server* InServer) {
     Server = InServer;
     BeginFrameHandle = FCoreDelegates::OnBeginFrame.AddRaw(this, &FFrameRunner::OnBeginFrame);
     EndFrameHandle = FCoreDelegates::OnEndFrame.AddRaw(this, &FFrameRunner::OnEndFrame);
+    Trace.Start();
     GarbageHandle = FCoreUObjectDelegates::GetPostGarbageCollect().AddRaw(this, &FFrameRunner::OnPostGarbageCollect);
 }
 
 void FFrameRunner::Stop() {
     FCoreDelegates::OnBeginFrame.Remove(BeginFrameHandle);
     FCoreDelegates::OnEndFrame.Remove(EndFrameHandle);
+    Trace.Stop();
     FCoreUObjectDelegates::GetPostGarbageCollect().Remove(GarbageHandle);
     Parked.clear();
     Sessions.clear();
@@ -49,6 +51,7 @@ void FFrameRunner::OnBeginFrame() {
     if (bRunning) {
         return;
     }
+    Trace.BeginFrame();
     Inbox.NoteFrame(GFrameCounter);
     spear_server_poll(Server);
     UpdateEngineFacts();
@@ -79,6 +82,7 @@ void FFrameRunner::OnBeginFrame() {
     }
     spear_server_release(Server);
     SetHolder(0, NoReason);
+    Trace.EndBeginWork();
 }
 
 void FFrameRunner::OnEndFrame() {
@@ -93,10 +97,15 @@ void FFrameRunner::OnEndFrame() {
     InFrame.clear();
     spear_server_release(Server);
     SetHolder(0, NoReason);
+    Trace.EndFrame();
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
     CallsInBlock = 0;
+    spear::TraceSpan Span(Block == EBlock::Begin ? SPEAR_TRACE_BEGIN_WORK : SPEAR_TRACE_END_WORK);
+    if (Span.is_on()) {
+        Span.set_arguments(SessionId, Inbox.FirstTransaction(SessionId));
+    }
     for (;;) {
         if (std::optional<FBatch> Batch = Inbox.TakeBatch(SessionId, Block)) {
             RunAndReply(std::move(*Batch));
@@ -135,10 +144,13 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason, bool bInBlock) {
         return false;
     }
     SetHolder(SessionId, Reason);
-    if (bInBlock) {
-        TakeCalls(SessionId);
-    } else {
-        spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+    {
+        const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
+        if (bInBlock) {
+            TakeCalls(SessionId);
+        } else {
+            spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
+        }
     }
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
@@ -240,6 +252,9 @@ void FFrameRunner::ApplyNews(FSession& Session) {
             Session.Kept.Release(First, 1);
         }
     }
+    if (!News.Releases.empty()) {
+        Inbox.NoteKept(Session.GetId(), Session.Kept.Num());
+    }
 }
 
 void FFrameRunner::RunFreeBatches() {
@@ -265,6 +280,7 @@ void FFrameRunner::RunFreeBatches() {
         bRunning = false;
         SweepIfNeeded();
         if (bDone) {
+            Inbox.NoteKept(Session->GetId(), Session->Kept.Num());
             Inbox.NoteRun(Running.Batch);
             Reply(Running.Batch, Running.Answers);
         } else {
@@ -293,6 +309,7 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
     bRunning = true;
     RunBatch(*Session, InBlock); // operations of a block are never parked
     bRunning = false;
+    Inbox.NoteKept(InBlock.Batch.Session, Session->Kept.Num());
     Inbox.NoteRun(InBlock.Batch);
     Reply(InBlock.Batch, InBlock.Answers);
     Session->Kept.EndBatch(InBlock.Answers.buffer);

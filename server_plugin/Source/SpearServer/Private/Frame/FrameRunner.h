@@ -13,6 +13,7 @@
 #include "CoreMinimal.h"
 
 #include "Frame/Batches.h"
+#include "Frame/FrameTrace.h"
 #include "Frame/Inbox.h"
 #include "Frame/Session.h"
 
@@ -82,6 +83,7 @@ private:
     FDelegateHandle BeginFrameHandle;
     FDelegateHandle EndFrameHandle;
     FDelegateHandle GarbageHandle;
+    FFrameTrace Trace;
 };
 
 } // namespace SpearServer

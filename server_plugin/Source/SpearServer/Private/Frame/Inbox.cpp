@@ -102,7 +102,7 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         // Types and releases count also when the batch itself is refused: the client has given the numbers and goes on.
         const std::span<const std::byte> Types = AsSpan(Message.types);
         const std::size_t Beside = Types.size() + Message.release_count * sizeof(uint64);
-        if (Entry->QueuedBytes + Beside > 2 * spear::limits::max_queued_bytes) {
+        if (Entry->QueuedBytes + Beside > 2 * MaxQueuedBytes) {
             return {FVerdict::Drop,
                 MakeError(ErrorCode::LimitExceeded, "the session has far too many bytes queued; it is ended")};
         }
@@ -119,10 +119,10 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         Batch.Block = static_cast<EBlock>(Message.block);
         Batch.bCloses = Message.closes != 0;
         std::optional<ErrorInfo> TooMuch;
-        if (Entry->QueuedBytes + Message.operations.size > spear::limits::max_queued_bytes) {
+        if (Entry->QueuedBytes + Message.operations.size > MaxQueuedBytes) {
             TooMuch = MakeError(ErrorCode::LimitExceeded,
                 "the session has too many bytes queued (limits::max_queued_bytes = " +
-                    std::to_string(spear::limits::max_queued_bytes) + "); wait for answers before submitting more");
+                    std::to_string(MaxQueuedBytes) + "); wait for answers before submitting more");
         } else if (Shape.Operations > spear::limits::max_operations_per_block) {
             TooMuch =
                 MakeError(ErrorCode::LimitExceeded, "a batch of " + std::to_string(Shape.Operations) +
@@ -247,6 +247,9 @@ void FInbox::FillStatus(uint64 Session, spear_status& Status) const {
     const std::lock_guard Lock(Mutex);
     const auto Age = std::chrono::steady_clock::now() - FrameBegan;
     Status.frame = GetFrame();
+    if (const FEntry* Entry = Find(Session)) {
+        Status.kept_results = Entry->KeptResults;
+    }
     Status.frames_age_ms = static_cast<uint32>(std::chrono::duration_cast<std::chrono::milliseconds>(Age).count());
     if (bExiting) {
         Status.state = SPEAR_STATE_EXITING;
@@ -328,6 +331,12 @@ bool FInbox::IsAlive(uint64 Session) const {
     return Find(Session) != nullptr;
 }
 
+uint64 FInbox::FirstTransaction(uint64 Session) const {
+    const std::lock_guard Lock(Mutex);
+    const FEntry* Entry = Find(Session);
+    return Entry && !Entry->Transactions.empty() ? Entry->Transactions.front().Number : 0;
+}
+
 bool FInbox::FinishTransaction(uint64 Session, std::vector<FBatch>& NotRun) {
     const std::lock_guard Lock(Mutex);
     FEntry* Entry = Find(Session);
@@ -355,6 +364,13 @@ void FInbox::NoteRun(const FBatch& Batch) {
         Entry->QueuedBytes -= std::min(Batch.Operations.size(), Entry->QueuedBytes);
         Entry->Outstanding.erase(Batch.Sequence);
         NewsCount += !Entry->Releases.empty(); // they may be ready now
+    }
+}
+
+void FInbox::NoteKept(uint64 Session, std::size_t Count) {
+    const std::lock_guard Lock(Mutex);
+    if (FEntry* Entry = Find(Session)) {
+        Entry->KeptResults = Count;
     }
 }
 

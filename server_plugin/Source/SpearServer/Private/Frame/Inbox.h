@@ -10,6 +10,7 @@
 #include "Frame/Batch.h"
 #include "Frame/Result.h"
 
+#include "spear/limits.hpp"
 #include "spear_wire.h"
 
 #include <atomic>
@@ -45,6 +46,9 @@ struct FSessionNews {
 
 class FInbox {
 public:
+    /// Before the first session. At most limits::max_queued_bytes.
+    void SetMaxQueuedBytes(std::size_t Bytes) { MaxQueuedBytes = Bytes; }
+
     // Server thread
     // ---------------------------------------------------------------------------------------------------------
     void Join(FSessionGreeting Greeting);
@@ -94,11 +98,15 @@ public:
     std::optional<FBatch> TakeBatch(uint64 Session, EBlock Block);
     bool IsBlockClosed(uint64 Session, EBlock Block) const; ///< true for sessions that are gone, too
     bool IsAlive(uint64 Session) const;
+    /// The number of the session's first transaction; 0 if it has none.
+    uint64 FirstTransaction(uint64 Session) const;
     /// Forgets the session's first transaction; its batches that have not run are returned. Returns whether it asked
     /// for single_step.
     bool FinishTransaction(uint64 Session, std::vector<FBatch>& NotRun);
     /// Notes that the batches of the session up to that one have run (for releases and the limit of queued bytes).
     void NoteRun(const FBatch& Batch);
+    /// Notes how many results the session keeps, for its statistics.
+    void NoteKept(uint64 Session, std::size_t Count);
     std::string ClientNameOf(uint64 Session) const;
 
     /// Whom to wake when something arrives (spear_server_wake); null before and after.
@@ -125,6 +133,7 @@ private:
         std::vector<FRelease> Releases;
         std::set<uint64> Outstanding; ///< sequence numbers of batches that have not run
         std::size_t QueuedBytes = 0;
+        std::size_t KeptResults = 0;
     };
 
     void Wake() const;
@@ -133,6 +142,7 @@ private:
     FEntry* Find(uint64 Session);
     const FEntry* Find(uint64 Session) const;
 
+    std::size_t MaxQueuedBytes = spear::limits::max_queued_bytes;
     mutable std::mutex Mutex;
     std::atomic<uint64> NewsCount{0};           // rises under Mutex
     std::atomic<std::size_t> NumFreeBatches{0}; // changes under Mutex

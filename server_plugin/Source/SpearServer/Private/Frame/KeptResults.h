@@ -51,6 +51,7 @@ public:
     /// Values that Resolve gave are not needed any more.
     void ForgetResolved() { NumResolved = 0; }
 
+    std::size_t Num() const { return Own.size() + NumInBlocks; }
     /// Gives up the results of `Count` numbers from First on; those that are not kept are passed over.
     void Release(uint64 First, uint64 Count);
 

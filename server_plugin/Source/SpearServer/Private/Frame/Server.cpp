@@ -32,6 +32,7 @@ void Send(spear_server* Wire, uint64 Session, uint64 Request, const spear::Encod
 
 FStatus FServer::Start(const FServerOptions& Options) {
     BindEngineService();
+    BindTraceService();
     BindUnrealService();
     BindUnrealQueries();
     if (const std::string Unbound = UnboundEntryPoints(); !Unbound.empty()) {
@@ -41,6 +42,9 @@ FStatus FServer::Start(const FServerOptions& Options) {
     SetHolderQuery([this] { return Inbox.GetHolder(); });
     FLatentCalls::Get().Start([this](uint64 Session) { return Runner.FindSession(Session); });
 
+    if (Options.MaxQueuedBytes) {
+        Inbox.SetMaxQueuedBytes(Options.MaxQueuedBytes);
+    }
     const std::string Version(spear::version);
     spear_server_options Wanted{};
     Wanted.address = Options.Address.c_str();
@@ -50,7 +54,7 @@ FStatus FServer::Start(const FServerOptions& Options) {
     Wanted.default_lease_ms = Options.LeaseMs ? Options.LeaseMs : spear::limits::default_lease_ms;
     Wanted.max_message_bytes = spear::limits::max_message_bytes;
     Wanted.max_sessions = spear::limits::max_sessions;
-    const spear_server_callbacks Callbacks{this, &OnConnect, &OnDisconnect, &OnSubmit, &OnStatus, &OnDescribe};
+    const spear_server_callbacks Callbacks{this, &OnConnect, &OnDisconnect, &OnSubmit, &OnStatus, &OnDescribe, &OnLog};
     spear_wire_error Error{};
     spear_server* Started = spear_server_start(&Wanted, &Callbacks, &Error);
     if (!Started) {
@@ -162,8 +166,12 @@ void FServer::OnDescribe(void* User, spear_description* Description) {
     CopyText(Description->spear_version, sizeof(Description->spear_version), Facts.spear_version);
     CopyText(Description->engine, sizeof(Description->engine), Facts.engine_name + " " + Facts.engine_version);
     CopyText(Description->scene, sizeof(Description->scene), Facts.scene);
+    CopyText(Description->project, sizeof(Description->project), Facts.project);
     Description->process_id = Facts.process_id;
+    Description->frame = Facts.frame;
     Description->sessions = static_cast<uint32_t>(static_cast<FServer*>(User)->Inbox.NumSessions());
 }
+
+void FServer::OnLog(void*, const char* Text) { UE_LOG(LogSpear, Warning, TEXT("%s"), *FromUtf8(Text)); }
 
 } // namespace SpearServer

@@ -19,7 +19,8 @@ namespace SpearServer {
 struct FServerOptions {
     std::string Address;
     std::vector<uint8> Token;
-    uint32 LeaseMs = 0; ///< 0: the default
+    uint32 LeaseMs = 0;             ///< 0: the default
+    std::size_t MaxQueuedBytes = 0; ///< 0: limits::max_queued_bytes
 };
 
 class FServer {
@@ -41,6 +42,7 @@ private:
     static void OnSubmit(void* User, uint64_t Session, uint64_t Request, const spear_batch* Batch);
     static void OnStatus(void* User, uint64_t Session, spear_status* Status);
     static void OnDescribe(void* User, spear_description* Description);
+    static void OnLog(void* User, const char* Text);
 
     FInbox Inbox;
     FFrameRunner Runner;

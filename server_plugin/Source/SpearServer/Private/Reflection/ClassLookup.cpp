@@ -10,7 +10,9 @@
 #include "UObject/UObjectIterator.h"
 #include "UObject/UnrealType.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <vector>
 
 namespace SpearServer {
 
@@ -26,6 +28,37 @@ bool IsCurrent(const UClass* Class) { return !Class->HasAnyClassFlags(CLASS_Newe
 bool NameFits(const UClass* Class, std::string_view Name, std::string_view ClassName) {
     return EqualsWithoutCase(Name, ClassName) || EqualsWithoutCase(Name, CppNameOf(Class)) ||
            (Class->HasAnyClassFlags(CLASS_Interface) && EqualsWithoutCase(Name, "U" + std::string(ClassName)));
+}
+
+/// All current classes that a name fits. Names are compared as numbers first: an engine has ten thousand classes, and making
+/// the text of each name would take milliseconds of the game thread.
+std::vector<UClass*> FindClassesByName(std::string_view Name) {
+    std::vector<UClass*> Found;
+    if (Name.size() >= NAME_SIZE) {
+        return Found;
+    }
+    // As the reflection spells it, without U, A or I, and without UDEPRECATED_ or ADEPRECATED_.
+    constexpr std::string_view Deprecated = "DEPRECATED_";
+    std::vector<FName> Spellings;
+    for (const std::size_t Prefix : {std::size_t(0), std::size_t(1), 1 + Deprecated.size()}) {
+        if (Prefix < Name.size() && (Prefix < 2 || EqualsWithoutCase(Name.substr(1, Deprecated.size()), Deprecated))) {
+            const FName Spelling(*FromUtf8(Name.substr(Prefix)), FNAME_Find); // None if nothing has that name
+            if (!Spelling.IsNone()) {
+                Spellings.push_back(Spelling);
+            }
+        }
+    }
+    if (Spellings.empty()) {
+        return Found;
+    }
+    for (TObjectIterator<UClass> It; It; ++It) {
+        const FName ClassName = It->GetFName();
+        if (std::find(Spellings.begin(), Spellings.end(), ClassName) != Spellings.end() && IsCurrent(*It) &&
+            NameFits(*It, Name, ToUtf8(It->GetName()))) {
+            Found.push_back(*It);
+        }
+    }
+    return Found;
 }
 
 } // namespace
@@ -54,12 +87,7 @@ TSpearResult<UClass*> FindClassByName(std::string_view Name) {
         return Class;
     }
 
-    std::vector<UClass*> Found;
-    for (TObjectIterator<UClass> It; It; ++It) {
-        if (IsCurrent(*It) && NameFits(*It, Name, ToUtf8(It->GetName()))) {
-            Found.push_back(*It);
-        }
-    }
+    const std::vector<UClass*> Found = FindClassesByName(Name);
     if (Found.empty()) {
         FNearestNames Nearest(Name);
         for (TObjectIterator<UClass> It; It; ++It) {

@@ -12,6 +12,7 @@
 namespace SpearServer {
 
 void BindEngineService();
+void BindTraceService();
 void BindUnrealService();
 void BindUnrealQueries();
 

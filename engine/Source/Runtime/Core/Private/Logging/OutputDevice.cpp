@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <atomic>
 #include <cstdio>
 
 #include "CoreGlobals.h"
@@ -12,7 +13,8 @@ FString FOutputDeviceHelper::FormatLogLine(
     FString Line;
     if (bWithPrefix) {
         const FDateTime Now = FDateTime::UtcNow();
-        Line = FString::Printf(TEXT("[%s:%03d][%3llu]"), *Now.ToString(), Now.GetMillisecond(), GFrameCounter % 1000);
+        const uint64 Frame = std::atomic_ref<uint64>(GFrameCounter).load(std::memory_order_relaxed); // any thread logs
+        Line = FString::Printf(TEXT("[%s:%03d][%3llu]"), *Now.ToString(), Now.GetMillisecond(), Frame % 1000);
     }
     if (!Category.IsNone()) {
         Line += Category.ToString() + TEXT(": ");

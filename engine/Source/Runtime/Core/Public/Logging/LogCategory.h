@@ -2,6 +2,8 @@
 /** Log categories. Each registers itself, so that `Log LogFoo Verbose` on the console and -LogCmds find it. */
 #pragma once
 
+#include <atomic>
+
 #include "Logging/LogVerbosity.h"
 #include "UObject/NameTypes.h"
 
@@ -14,18 +16,20 @@ struct FLogCategoryBase {
     UE_NONCOPYABLE(FLogCategoryBase)
 
     bool IsSuppressed(ELogVerbosity::Type VerbosityLevel) const {
-        return (VerbosityLevel & ELogVerbosity::VerbosityMask) > Verbosity;
+        return (VerbosityLevel & ELogVerbosity::VerbosityMask) > GetVerbosity();
     }
     const FLogCategoryName& GetCategoryName() const { return CategoryName; }
-    ELogVerbosity::Type GetVerbosity() const { return Verbosity; }
+    ELogVerbosity::Type GetVerbosity() const { return Verbosity.load(std::memory_order_relaxed); }
     void SetVerbosity(ELogVerbosity::Type NewVerbosity) {
         const int32 Wanted = NewVerbosity & ELogVerbosity::VerbosityMask;
-        Verbosity = static_cast<ELogVerbosity::Type>(Wanted < CompileTimeVerbosity ? Wanted : CompileTimeVerbosity);
+        Verbosity.store(
+            static_cast<ELogVerbosity::Type>(Wanted < CompileTimeVerbosity ? Wanted : CompileTimeVerbosity),
+            std::memory_order_relaxed);
     }
     ELogVerbosity::Type GetCompileTimeVerbosity() const { return CompileTimeVerbosity; }
 
 private:
-    ELogVerbosity::Type Verbosity;
+    std::atomic<ELogVerbosity::Type> Verbosity; // the console changes it while other threads log
     const ELogVerbosity::Type CompileTimeVerbosity;
     const FLogCategoryName CategoryName;
 };

@@ -95,14 +95,19 @@ void UEngine::UpdateTimeAndHandleMaxTickRate() {
     FApp::UpdateLastTime();
 
     // The pace of frames in real time, also with a fixed step: t.MaxFPS 0 runs as fast as it can.
+    double IdleSeconds = 0.0;
     const float MaxTickRate = GetMaxTickRate(static_cast<float>(Now - LastTickTime));
     if (MaxTickRate > 0.f) {
         const double NextTickTime = LastTickTime + 1.0 / static_cast<double>(MaxTickRate);
-        const double WaitSeconds = NextTickTime - FPlatformTime::Seconds();
+        const double WaitBegan = FPlatformTime::Seconds();
+        const double WaitSeconds = NextTickTime - WaitBegan;
         if (WaitSeconds > 0.0) {
             FPlatformProcess::SleepNoStats(static_cast<float>(WaitSeconds));
+            IdleSeconds = FPlatformTime::Seconds() - WaitBegan;
+            FApp::SetIdleTimeOvershoot(IdleSeconds - WaitSeconds);
         }
     }
+    FApp::SetIdleTime(IdleSeconds);
 
     const double TickTime = FPlatformTime::Seconds();
     const double RealDelta = TickTime - LastTickTime;
