@@ -113,13 +113,17 @@ TypeSource& OperationBuilder::types() noexcept { return session_; }
 
 void OperationBuilder::put_future(const OperationHandle& operation) {
     if (!operation.valid()) {
+        const std::string name = session_.describe_operation(entry_point_, shape_);
         throw_error(ErrorCode::ArgumentError,
-            "An argument is a future that belongs to no operation (default-constructed, or moved from).",
-            session_.describe_operation(entry_point_, shape_));
+            fmt::format("An argument of {} is a future that belongs to no operation (default-constructed, or moved "
+                        "from).",
+                name),
+            name);
     }
     if (operation.state_->slab->impl != session_.impl_.get()) {
-        throw_error(ErrorCode::WrongType, "An argument is a future of another session. Get its value and pass that.",
-            session_.describe_operation(entry_point_, shape_));
+        const std::string name = session_.describe_operation(entry_point_, shape_);
+        throw_error(ErrorCode::WrongType,
+            fmt::format("An argument of {} is a future of another session. Get its value and pass that.", name), name);
     }
     encoder_.put(types::future);
     encoder_.put(operation.number());

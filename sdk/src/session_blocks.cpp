@@ -339,7 +339,8 @@ void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     take_answers();
     if (request != 0 && in_flight.contains(request)) {
         const TraceSpan span(SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
-        wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
+        wait_for_request(lock, request,
+            kind == BlockKind::begin ? "The previous begin_frame block" : "The previous end_frame block");
     }
 }
 
@@ -407,7 +408,8 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
     try {
         if (waits) {
             const TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, request);
-            wait_for_request(lock, request, fmt::format("The end of the {} block", block_name(kind)));
+            wait_for_request(
+                lock, request, is_begin ? "The end of the begin_frame block" : "The end of the end_frame block");
         }
     } catch (...) {
         if (lock.owns_lock())

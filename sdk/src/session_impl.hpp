@@ -237,7 +237,9 @@ struct Session::Impl {
     bool is_owner() const noexcept { return owner == std::this_thread::get_id(); }
     /// Whether frames can only go on if this thread does something.
     bool is_held_by_this_thread() const noexcept {
-        return is_owner() && (holds_game_thread || phase == Phase::between || holds_single_step);
+        // From the begin block's end on, the frame waits for the end block.
+        return is_owner() &&
+               (holds_game_thread || phase == Phase::between || phase == Phase::end_open || holds_single_step);
     }
 
     // session_answers.cpp. The first three are the I/O thread's; the others want the mutex.

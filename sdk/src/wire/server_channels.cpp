@@ -337,7 +337,7 @@ bool ServerChannels::reply(std::uint64_t session, std::uint64_t request, const s
 }
 
 void ServerChannels::poll() {
-    std::vector<std::shared_ptr<ServerChannel>> with_news;
+    std::vector<std::shared_ptr<ServerChannel>>& with_news = polled_;
     {
         const std::lock_guard lock(mutex_);
         const bool is_first = !std::exchange(is_polled_, true);
@@ -353,6 +353,7 @@ void ServerChannels::poll() {
     for (const auto& channel : with_news) {
         channel->pump();
     }
+    with_news.clear();
 }
 
 /// From now on the game thread reads the session's channel.

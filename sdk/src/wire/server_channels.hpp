@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "channel.hpp"
 #include "spear_wire.h"
@@ -141,6 +142,7 @@ private:
     std::atomic<std::uint32_t> wakes_{0};
     std::atomic<bool> waits_{false};             // the game thread is about to sleep, or sleeps
     std::atomic<std::thread::id> game_thread_{}; // relaxed: each thread looks only for itself
+    std::vector<std::shared_ptr<ServerChannel>> polled_; // game thread, in poll(): with its memory
     std::uint32_t seen_wakes_ = 0;               // game thread
     std::uint32_t seen_changes_ = 0;             // game thread
     std::shared_ptr<ServerChannel> claimed_;     // game thread

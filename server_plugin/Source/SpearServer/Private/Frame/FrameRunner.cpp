@@ -129,7 +129,7 @@ bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
 void FFrameRunner::EndTransaction(uint64 SessionId) {
     std::vector<FBatch> NotRun;
     const bool bSingleStep = Inbox.FinishTransaction(SessionId, NotRun);
-    for (const FBatch& Batch : NotRun) {
+    for (FBatch& Batch : NotRun) {
         Inbox.NoteRun(Batch);
         ReplyError(
             Batch, MakeError(ErrorCode::TransactionAborted, "the transaction was aborted: the engine is ending"));
@@ -237,7 +237,8 @@ void FFrameRunner::KeepHouse() {
 }
 
 void FFrameRunner::ApplyNews(FSession& Session) {
-    const FSessionNews News = Inbox.TakeSessionNews(Session.GetId());
+    Inbox.TakeSessionNews(Session.GetId(), SessionNews);
+    const FSessionNews& News = SessionNews;
     if (!News.Types.empty() && !spear::decode_announcements(News.Types, Session.ClientTypes)) {
         UE_LOG(LogSpear, Warning, TEXT("Ending the session of '%s': it announced malformed types"),
             *FromUtf8(Session.GetClientName()));

@@ -71,6 +71,7 @@ private:
     std::vector<uint64> InFrame; ///< sessions whose transaction this frame carries, in order of arrival
     std::vector<uint64> Holders; ///< sessions that hold the engine by single_step, until their next begin block
     FRunningBatch InBlock;      ///< the one that runs, with its memory for the next
+    FSessionNews SessionNews; ///< taken last, with its memory
     spear::Encoder CallAnswer;
     std::size_t CallsInBlock = 0;
     uint64 SeenNews = 0;
