@@ -262,7 +262,7 @@ bool OperationBuilder::call_directly(RawResult& result, std::optional<Millisecon
     impl.is_calling = true;
     impl.call_number = number;
     const auto is_over = [&] { return impl.lost || !impl.is_calling; };
-    if (!impl.take_call(true)) {
+    if (!impl.take_call(!impl.has_leader)) {
         const Milliseconds limit = deadline.value_or(impl.deadline());
         if (!impl.wait_until(lock, Clock::now() + limit, is_over)) {
             impl.throw_deadline(lock, limit, impl.describe(entry_point_, shape_));

@@ -61,6 +61,9 @@ void Session::Impl::take_answers() {
     if (any && has_leader) { // it may wait for just this
         spear_client_wake(client);
     }
+    if (any && followers != 0) {
+        changed.notify_all();
+    }
 }
 
 /// Takes the answer to the call, if it is there; perhaps after a short spin. Under the mutex.

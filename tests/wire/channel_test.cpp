@@ -410,7 +410,9 @@ struct CallResult {
 
 CallResult make_call(Pair& pair, std::uint64_t number, const std::vector<std::uint8_t>& arguments) {
     const spear_call call{number, 7, {arguments.data(), arguments.size()}};
-    REQUIRE(pair.client->call(call));
+    while (!pair.client->call(call)) { // the game thread does not read yet
+        std::this_thread::yield();
+    }
     for (;;) {
         const std::uint32_t wakes = pair.client->wakes();
         spear_call_answer answer{};
@@ -493,6 +495,8 @@ TEST_CASE("call: one that nobody may take ends the session") {
     Pair pair;
     const std::vector<std::uint8_t> arguments(8);
     SUBCASE("when the game thread waits for something else") {
+        CHECK_FALSE(pair.client->call({1, 7, {arguments.data(), arguments.size()}})); // it does not read
+        pair.server.wait(1, 0);
         REQUIRE(pair.client->call({1, 7, {arguments.data(), arguments.size()}}));
         pair.server.wait(1, 10);
     }
@@ -570,6 +574,7 @@ TEST_CASE("call: garbage in the answer is an error of the client") {
     ChannelCallAnswer& place = pair.spare->header().answer;
     const std::vector<std::uint8_t> arguments(8);
     spear_call_answer answer{};
+    pair.server.wait(1, 0);
     REQUIRE(pair.client->call({1, 7, {arguments.data(), arguments.size()}}));
     store_release(&place.sequence, 9u); // of no call
     CHECK(pair.client->take_call(false, answer) == 0);

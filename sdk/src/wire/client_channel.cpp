@@ -76,7 +76,7 @@ void ClientChannel::wake_server(bool block) {
 
 bool ClientChannel::call(const spear_call& call) {
     ChannelCall& out = header_.call;
-    if (call.arguments.size > sizeof(out.arguments)) {
+    if (call.arguments.size > sizeof(out.arguments) || load_acquire(&header_.game_thread_reads) == 0) {
         return false;
     }
     out.arguments_bytes = static_cast<std::uint16_t>(call.arguments.size);

@@ -221,8 +221,8 @@ SPEAR_WIRE_API int spear_client_take(spear_client* client, uint64_t* request, sp
 /* With a channel; one thread at a time. Waits for something to take, at most so long, or until the number of wakes is not that one. */
 SPEAR_WIRE_API void spear_client_wait(spear_client* client, uint32_t wakes, uint32_t timeout_us);
 /* With a channel; one thread at a time. A synchronous operation, for which the game thread waits already: in a block that is
- * open, held by an operation that was answered, with no batch of the session unanswered and no call either. Nonzero if it is too large
- * (nothing has happened then) or the session is over. */
+ * open, held by an operation that was answered, with no batch of the session unanswered and no call either. Nonzero if it is too large,
+ * the game thread does not read yet, or the session is over: then nothing has happened. */
 SPEAR_WIRE_API int spear_client_call(spear_client* client, const spear_call* call);
 /* The answer to the last call, valid until the next: 1. Not there yet, though it was looked for in a short spin if that pays: 0. With
  * the next that spear_client_take gives, whose request is SPEAR_CALL_REQUEST, perhaps SPEAR_CALL_FAILED, and the operation's number: 2. Not of this protocol: -1. */

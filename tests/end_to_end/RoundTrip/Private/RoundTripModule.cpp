@@ -11,6 +11,8 @@
 #include "UObject/Stack.h"
 #include "UObject/UObjectGlobals.h"
 
+#include <dlfcn.h>
+
 void URoundTrip::CallListener(int32 Number) {
     if (UObject* Listener = InterfaceValue.GetObject()) {
         IRoundTripListener::Execute_Hear(Listener, Number);
@@ -53,6 +55,12 @@ void URoundTripCalls::CollectNow() { CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS
 int64 URoundTripCalls::Ticket() {
     static int64 Last = 0;
     return ++Last;
+}
+
+int64 URoundTripCalls::Allocations() {
+    using FCount = uint64_t (*)();
+    static const auto Count = reinterpret_cast<FCount>(dlsym(RTLD_DEFAULT, "spear_test_allocations"));
+    return Count ? static_cast<int64>(Count()) : -1;
 }
 
 void URoundTripCalls::BlockFrames(const FString& Folder) {
