@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "session_impl.hpp"
+#include "spear_trace.h"
 
 namespace spear {
 namespace {
@@ -73,10 +74,10 @@ bool OperationHandle::is_ready() const noexcept {
     return state_->is_done();
 }
 
-RawResult OperationHandle::get(std::optional<Milliseconds> deadline) const {
+RawResult OperationHandle::get(std::optional<Milliseconds> deadline, BeforeSleep before_sleep) const {
     if (!state_)
         throw_invalid_future("get()");
-    return state_->slab->impl->wait_for_result(*this, deadline);
+    return state_->slab->impl->wait_for_result(*this, deadline, before_sleep);
 }
 
 bool OperationHandle::wait(Milliseconds timeout) const {
@@ -224,9 +225,9 @@ RawResult OperationBuilder::call(std::optional<Milliseconds> deadline) {
     return result;
 }
 
-RawResult OperationBuilder::call_here(std::optional<Milliseconds> deadline) {
+RawResult OperationBuilder::call_here(std::optional<Milliseconds> deadline, BeforeSleep before_sleep) {
     RawResult result;
-    if (call_directly(result, deadline)) {
+    if (call_directly(result, deadline, before_sleep)) {
         return result;
     }
     OperationState* state = nullptr;
@@ -234,7 +235,7 @@ RawResult OperationBuilder::call_here(std::optional<Milliseconds> deadline) {
         Session::Impl::Lock lock(session_.impl_->mutex);
         state = session_.impl_->record(lock, *this, CallMode::sync);
     }
-    return session_.impl_->wait_for_result(OperationHandle(state), deadline);
+    return session_.impl_->wait_for_result(OperationHandle(state), deadline, before_sleep);
 }
 
 /// Whether the game thread waits for the next operation of this thread's block, with nothing before it, and nothing that
@@ -246,13 +247,19 @@ bool Session::Impl::may_call_directly(const OperationBuilder& builder) const {
            entry_point_rows()[builder.entry_point_].runs_on == RunsOn::game_thread;
 }
 
-bool OperationBuilder::call_directly(RawResult& result, std::optional<Milliseconds> deadline) {
+bool OperationBuilder::call_directly(
+    RawResult& result, std::optional<Milliseconds> deadline, BeforeSleep before_sleep) {
     Session::Impl& impl = *session_.impl_;
     Session::Impl::Lock lock(impl.mutex);
     if (!impl.may_call_directly(*this)) {
         return false;
     }
     const std::uint64_t number = impl.next_operation;
+    TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, impl.session_id, number);
+    if (span.is_on() && SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS) {
+        const std::string name = impl.describe(entry_point_, shape_);
+        span.set_text(name.data(), name.size());
+    }
     const spear_call call{number, entry_point_,
         {reinterpret_cast<const std::uint8_t*>(encoder_.buffer.data()), encoder_.buffer.size()}};
     if (spear_client_call(impl.client, &call) != 0) {
@@ -263,6 +270,7 @@ bool OperationBuilder::call_directly(RawResult& result, std::optional<Millisecon
     impl.call_number = number;
     const auto is_over = [&] { return impl.lost || !impl.is_calling; };
     if (!impl.take_call(!impl.has_leader)) {
+        before_sleep();
         const Milliseconds limit = deadline.value_or(impl.deadline());
         if (!impl.wait_until(lock, Clock::now() + limit, is_over)) {
             impl.throw_deadline(lock, limit, impl.describe(entry_point_, shape_));

@@ -270,9 +270,10 @@ bool Session::Impl::wait_until_done(Lock& lock, OperationState& state, Clock::ti
 }
 
 RawResult Session::Impl::wait_for_result(
-    const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline) {
+    const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline, BeforeSleep before_sleep) {
     OperationState& state = *handle.state_;
     if (!state.is_done()) {
+        before_sleep();
         TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, state.number);
         if (span.is_on() && SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS) {
             const std::string name = describe(state);
@@ -288,6 +289,7 @@ RawResult Session::Impl::wait_for_result(
         {
             Lock lock(mutex);
             if (state.rare->error == lost) {
+                before_sleep(); // the launcher may want to know how its engine has ended
                 throw_lost(lock, describe(state));
             }
         }

@@ -286,7 +286,8 @@ struct Session::Impl {
     void wait_for_kind(Lock& lock, BlockKind kind);
     bool wait_until_done(Lock& lock, OperationState& state, Clock::time_point until);
     void ask_for_late(OperationState& state);
-    RawResult wait_for_result(const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline);
+    RawResult wait_for_result(
+        const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline, BeforeSleep before_sleep);
     void require_order(BlockKind kind) const;
     void open(BlockKind kind);
     void close(BlockKind kind, bool single_step);

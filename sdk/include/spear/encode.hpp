@@ -433,6 +433,15 @@ inline std::size_t begin_operation(Encoder& out, std::uint64_t number, std::uint
 inline void end_operation(Encoder& out, std::size_t at) {
     out.patch(at, static_cast<std::uint32_t>(out.buffer.size() - at - sizeof(std::uint32_t)));
 }
+/// The header of an operation that decode_operation_header has checked before.
+inline OperationHeader load_operation_header(const std::byte* at) {
+    OperationHeader header;
+    std::memcpy(&header.number, at, 8);
+    std::memcpy(&header.entry_point, at + 8, 2);
+    std::memcpy(&header.flags, at + 10, 1);
+    std::memcpy(&header.bytes, at + 11, 4);
+    return header;
+}
 /// All of an operation.
 inline void put_operation(Encoder& out, std::uint64_t number, std::uint16_t entry_point, OperationFlags flags, const std::byte* arguments, std::size_t size) {
     std::byte* const at = out.buffer.extend(OperationHeader::size + size);
@@ -466,6 +475,12 @@ inline constexpr std::uint64_t release_range = std::uint64_t{1} << 63;
 enum class AnswerState : std::uint8_t { succeeded = 0, failed = 1, pending = 2 };
 
 /// Record: u64 number, u8 state, u32 bytes, then a value (succeeded), or an error (u16 code, four texts).
+inline constexpr std::size_t answer_header_size = 8 + 1 + 4;
+inline void store_answer_header(std::byte* at, std::uint64_t number, AnswerState state, std::uint32_t bytes) {
+    std::memcpy(at, &number, 8);
+    std::memcpy(at + 8, &state, 1);
+    std::memcpy(at + 9, &bytes, 4);
+}
 inline std::size_t begin_answer(Encoder& out, std::uint64_t number, AnswerState state) {
     out.put(number);
     out.put(state);

@@ -30,6 +30,19 @@ struct RawResult;
 
 using Milliseconds = std::chrono::milliseconds;
 
+/// What a caller wants to do when a wait is about to block its thread: on the waiting thread, before it
+/// sleeps, connects or asks the server, and never if the answer came within the first short spin. May run under the
+/// session's lock: it must not block, nor call the SDK. (Python gives up its lock there.)
+struct BeforeSleep {
+    void (*function)(void* user) = nullptr;
+    void* user = nullptr;
+
+    void operator()() const {
+        if (function)
+            function(user);
+    }
+};
+
 namespace detail {
 struct OperationState;
 struct OperationSlab;
@@ -71,7 +84,7 @@ public:
     /// holds the engine;
     ///   HeldByClient, EngineBusy, EngineExited, Disconnected or DeadlineExceeded when the deadline has passed
     ///   (default: the session's).
-    RawResult get(std::optional<Milliseconds> deadline = {}) const;
+    RawResult get(std::optional<Milliseconds> deadline = {}, BeforeSleep before_sleep = {}) const;
 
     /// The same wait without result or the operation's error: false if the timeout has passed.
     bool wait(Milliseconds timeout) const;
@@ -125,7 +138,7 @@ public:
     RawResult call(std::optional<Milliseconds> deadline = {});
     /// The same with a result whose bytes are this builder's, where that is faster: valid until it goes, or `out()` is
     /// written again.
-    RawResult call_here(std::optional<Milliseconds> deadline = {});
+    RawResult call_here(std::optional<Milliseconds> deadline = {}, BeforeSleep before_sleep = {});
     /// Asynchronous: recorded; runs in program order.
     OperationHandle async();
     /// Fire-and-forget: a failure is raised when the block ends or later (frame.hpp).
@@ -134,7 +147,7 @@ public:
 private:
     friend class Session;
     /// Writes the operation into the place for calls of the shared memory channel, if it may go there, and waits.
-    bool call_directly(RawResult& result, std::optional<Milliseconds> deadline);
+    bool call_directly(RawResult& result, std::optional<Milliseconds> deadline, BeforeSleep before_sleep);
 
     Session& session_;
     std::uint16_t entry_point_;

@@ -133,16 +133,19 @@ bool RunPlainCall(FSession& Session, const spear::OperationHeader& Header, std::
         Answers.buffer.size() > LargestReply) {
         return false;
     }
-    const std::size_t Start = Answers.buffer.size();
-    if (!bWantsAnswer) {
-        return Session.PlainCalls.Run(Session, Arguments, nullptr);
-    }
-    const std::size_t At = spear::begin_answer(Answers, Header.number, spear::AnswerState::succeeded);
-    if (!Session.PlainCalls.Run(Session, Arguments, &Answers)) {
-        Answers.buffer.resize(Start);
+    const FPlainCalls::FReady Ready = Session.PlainCalls.Find(Session, Arguments);
+    if (!Ready.Object) {
         return false;
     }
-    spear::end_answer(Answers, At);
+    if (!bWantsAnswer) {
+        FPlainCalls::Make(Ready, nullptr);
+        return true;
+    }
+    const std::size_t Start = Answers.buffer.size();
+    std::byte* const At = Answers.buffer.extend(spear::answer_header_size + Ready.ResultBytes());
+    spear::store_answer_header(
+        At, Header.number, spear::AnswerState::succeeded, static_cast<uint32>(Ready.ResultBytes()));
+    FPlainCalls::Make(Ready, At + spear::answer_header_size); // writes no answers of its own
     if (bKeeps) {
         Session.Kept.KeepAnswer(Header.number, Start);
     }
@@ -159,39 +162,41 @@ bool RunBatch(FSession& Session, FRunningBatch& Running) {
         Session.Kept.BeginBatch(Running.Answers.buffer);
     }
     while (Running.Offset < All.size()) {
-        spear::Decoder In(All.subspan(Running.Offset));
-        const std::size_t Before = In.remaining();
-        const spear::OperationHeader Header = spear::decode_operation_header(In);
-        const std::span<const std::byte> Arguments = In.get_raw(Header.bytes);
+        // The headers were checked when the batch arrived (FInbox::Submit).
+        const spear::OperationHeader Header = spear::load_operation_header(All.data() + Running.Offset);
+        const std::span<const std::byte> Arguments =
+            All.subspan(Running.Offset + spear::OperationHeader::size, Header.bytes);
         const uint16 EntryPoint = Session.EntryPointOf(Header.entry_point);
         if (!(bPlainCalls && EntryPoint == CallFunctionEntryPoint() && RunPlainCall(Session, Header, Arguments, Running.Answers)) &&
             RunOperation(&Session, Header, EntryPoint, bInBlock, Arguments, Running.Answers) == EOutcome::Park) {
             return false;
         }
-        Running.Offset += Before - In.remaining();
+        Running.Offset += spear::OperationHeader::size + Header.bytes;
     }
     return true;
 }
 
 bool RunCall(FSession& Session, uint64 Number, uint16 EntryPoint, std::span<const std::byte> Arguments,
     spear::Encoder& Answer) {
+    Answer.buffer.clear();
+    if (EntryPoint == CallFunctionEntryPoint() && SPEAR_TRACE_LEVEL() != SPEAR_TRACE_OPERATIONS) {
+        if (const FPlainCalls::FReady Ready = Session.PlainCalls.Find(Session, Arguments); Ready.Object) {
+            FPlainCalls::Make(Ready, Answer.buffer.extend(Ready.ResultBytes()));
+            return true;
+        }
+    }
     spear::OperationHeader Header;
     Header.number = Number;
     Header.flags = spear::OperationFlags::wants_answer;
-    Answer.buffer.clear();
-    if (EntryPoint != CallFunctionEntryPoint() || SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS || !Session.PlainCalls.Run(Session, Arguments, &Answer)) {
-        Answer.buffer.clear();
-        // The record of an answer, of which the value is wanted.
-        RunOperation(&Session, Header, EntryPoint, true, Arguments, Answer);
-        spear::Decoder In(Answer.bytes());
-        (void)In.get<uint64>();
-        const bool bSucceeded = In.get<spear::AnswerState>() == spear::AnswerState::succeeded;
-        const uint32 Bytes = In.get<uint32>();
-        std::memmove(Answer.buffer.data(), In.position(), Bytes);
-        Answer.buffer.resize(Bytes);
-        return bSucceeded;
-    }
-    return true;
+    // The record of an answer, of which the value is wanted.
+    RunOperation(&Session, Header, EntryPoint, true, Arguments, Answer);
+    spear::Decoder In(Answer.bytes());
+    (void)In.get<uint64>();
+    const bool bSucceeded = In.get<spear::AnswerState>() == spear::AnswerState::succeeded;
+    const uint32 Bytes = In.get<uint32>();
+    std::memmove(Answer.buffer.data(), In.position(), Bytes);
+    Answer.buffer.resize(Bytes);
+    return bSucceeded;
 }
 
 void RunOnServerThread(

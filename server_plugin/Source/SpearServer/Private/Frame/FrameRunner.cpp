@@ -144,13 +144,11 @@ bool FFrameRunner::Hold(uint64 SessionId, const char* Reason, bool bInBlock) {
         return false;
     }
     SetHolder(SessionId, Reason);
-    {
+    if (bInBlock) {
+        TakeCalls(SessionId);
+    } else {
         const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
-        if (bInBlock) {
-            TakeCalls(SessionId);
-        } else {
-            spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
-        }
+        spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
     }
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
@@ -162,7 +160,12 @@ void FFrameRunner::TakeCalls(uint64 SessionId) {
     constexpr int32 MostAtOnce = 1000; // then the heartbeat is due
     for (int32 Count = 0; Count < MostAtOnce; ++Count) {
         spear_call Call{};
-        if (!spear_server_wait_call(Server, SessionId, spear::limits::game_thread_wake_ms, &Call)) {
+        bool bHasCall = false;
+        {
+            const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
+            bHasCall = spear_server_wait_call(Server, SessionId, spear::limits::game_thread_wake_ms, &Call) != 0;
+        }
+        if (!bHasCall) {
             return;
         }
         RunAndAnswer(SessionId, Call);

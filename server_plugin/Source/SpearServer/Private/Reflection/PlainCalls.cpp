@@ -51,56 +51,59 @@ constexpr int32 MostTries = 8;
 
 } // namespace
 
-bool FPlainCalls::Run(FSession& Session, std::span<const std::byte> Arguments, spear::Encoder* Out) {
+FPlainCalls::FReady FPlainCalls::Find(const FSession& Session, std::span<const std::byte> Arguments) {
     if (Epoch != GarbageEpoch) {
         Entries.fill({});
         Epoch = GarbageEpoch;
-        return false;
+        return {};
     }
     const FCallHead Head(Arguments);
     if (Head.Bytes == 0) {
-        return false;
+        return {};
     }
     UObject* const Object = Session.Handles.ResolveAgain(Head.Handle);
     if (!Object) {
-        return false;
+        return {};
     }
     const UClass* const Class = Object->GetClass();
     const FEntry& Entry = Entries[IndexOf(Class, Head.Shape)];
     if (Entry.Class != Class || Entry.Shape != Head.Shape) {
-        return false;
+        return {};
     }
     const FPlainCall& Plain = *Entry.Plain;
     const std::byte* const Values = Arguments.data() + Head.Bytes;
     if (Arguments.size() - Head.Bytes != Plain.ValueBytes) {
-        return false;
+        return {};
     }
     for (const FPlainCall::FTag& Tag : Plain.Tags) {
         if (std::memcmp(Values + Tag.At, &Tag.Type, sizeof(Tag.Type)) != 0) {
-            return false;
+            return {};
         }
     }
+    return {Object, &Plain, Values};
+}
+
+void FPlainCalls::Make(const FReady& Ready, std::byte* To) {
+    const FPlainCall& Plain = *Ready.Plain;
     alignas(16) uint8 Parameters[MostParameterBytes];
     for (uint32 At = 0; At < Plain.ParameterBytes; At += 16) {
         std::memset(Parameters + At, 0, 16);
     }
     for (const FPlainCall::FCopy& Copy : Plain.In) {
-        CopyBytes(Parameters + Copy.To, Values + Copy.From, Copy.Size);
+        CopyBytes(Parameters + Copy.To, Ready.Values + Copy.From, Copy.Size);
     }
     {
 #if WITH_EDITOR
         const TGuardValue<bool> AllowScript(GAllowActorScriptExecutionInEditor, true);
 #endif
-        Object->ProcessEvent(Plain.Function, Parameters);
+        Ready.Object->ProcessEvent(Plain.Function, Parameters);
     }
-    if (Out) {
-        std::byte* const To = Out->buffer.extend(sizeof(spear::TypeId) + Plain.ResultBytes);
+    if (To) {
         std::memcpy(To, &Plain.ResultType, sizeof(spear::TypeId));
         for (const FPlainCall::FCopy& Copy : Plain.Out) {
             CopyBytes(To + sizeof(spear::TypeId) + Copy.To, Parameters + Copy.From, Copy.Size);
         }
     }
-    return true;
 }
 
 bool FPlainCalls::Describe(

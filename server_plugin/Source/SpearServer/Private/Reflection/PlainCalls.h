@@ -23,9 +23,19 @@ class FSession;
 
 class FPlainCalls {
 public:
-    /// Runs a call, given the arguments of unreal_service.call_function, and appends the result as a value to Out (null:
-    /// nobody wants it). False, and nothing has happened, if it is not plain, or not yet.
-    bool Run(FSession& Session, std::span<const std::byte> Arguments, spear::Encoder* Out);
+    /// A call that is ready to be made.
+    struct FReady {
+        UObject* Object = nullptr; ///< null: it is not plain, or not yet
+        const FPlainCall* Plain = nullptr;
+        const std::byte* Values = nullptr;
+
+        /// Bytes of the result as a value.
+        std::size_t ResultBytes() const { return sizeof(spear::TypeId) + Plain->ResultBytes; }
+    };
+    /// Looks at the arguments of unreal_service.call_function.
+    FReady Find(const FSession& Session, std::span<const std::byte> Arguments);
+    /// Makes the call, writes the result as a value; To may be null.
+    static void Make(const FReady& Ready, std::byte* To);
 
     /// A call has gone well the general way: remembers it, if it is plain.
     void Learn(FSession& Session, const UObject* Target, spear::TypeId Shape, FCallPlan& Plan,
