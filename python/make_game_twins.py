@@ -49,12 +49,14 @@ def twin(functions: list[ast.FunctionDef], name: str, documentation: str, asynch
                 continue
             made.returns = ast.Constant(None)
             made.body = [_without_return(statement) for statement in function.body]
+        elif function.name.endswith("_many"):
+            made.returns = ast.Subscript(ast.Name("list"), ast.Subscript(ast.Name("Future"), ast.Name("Any")))
         elif not declared_any:
             made.returns = ast.Subscript(ast.Name("Future"), function.returns)
             made.body = [_with_return(statement) for statement in function.body]
         text = ast.unparse(ast.fix_missing_locations(made))
         if not overloaded and asynchronous and not declared_any:
-            text = "\n".join(line + "  # type: ignore[no-any-return]" if line.strip().startswith("return self._call(") else line for line in text.split("\n"))
+            text = "\n".join(line + "  # type: ignore[no-any-return]" if line.strip().startswith("return self._") else line for line in text.split("\n"))
         if overloaded:
             text = text.replace(":\n    ...", ": ...")
         blank = "" if index and functions[index - 1].decorator_list and asynchronous else "\n"

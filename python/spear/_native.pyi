@@ -2,7 +2,10 @@
 """The native half of the package: sessions, operations, values. Everything here is used through the classes of ``spear``."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+
+if TYPE_CHECKING:
+    from spear.unreal_object import Member
 
 _T = TypeVar("_T")
 
@@ -32,6 +35,56 @@ class Object:
         """The class and those it derives from, most derived first."""
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...
+
+class FutureObjectBase:
+    """The object that a future will be."""
+
+    def __init__(self, future: Future[Any], /) -> None: ...
+    @property
+    def _future(self) -> Future[Any]: ...
+    @property
+    def _session(self) -> Session: ...
+
+class Namespace:
+    """An object's functions and variables in another mode: ``object.async_``."""
+
+    def __init__(self, target: Object | FutureObjectBase, mode: int, /) -> None: ...
+    @property
+    def _target(self) -> Any: ...
+    @property
+    def _mode(self) -> int: ...
+
+class MemberBase:
+    """A function or variable of an object, by name."""
+
+    def __init__(self, target: Object | FutureObjectBase, path: str, mode: int, /) -> None: ...
+    @property
+    def _target(self) -> Any: ...
+    @property
+    def _path(self) -> str: ...
+    @property
+    def _mode(self) -> int: ...
+    @property
+    def async_(self) -> Member:
+        """The same place, asynchronously: ``actor.RootComponent.async_.K2_GetComponentLocation()``."""
+    @property
+    def send_(self) -> Member:
+        """The same place, fire-and-forget."""
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        """Calls the function, with positional or keyword arguments. Omitted ones take Unreal's defaults."""
+    def get(self, path: str = "", /) -> Any:
+        """The variable's value; a Future under ``async_``. NullObject if it is an object, and null.
+
+        With a path: what is there, seen from the object that the variable holds (as ``object.get(path)``).
+        """
+    def get_or_none(self) -> Any:
+        """The variable's value, None for an object that is null; a Future under ``async_``."""
+    @overload
+    def set(self, value: Any, /) -> Any:
+        """Writes the variable, through Unreal's own setter where it has one."""
+    @overload
+    def set(self, path: str, value: Any, /) -> Any:
+        """Writes what is at a path that begins at the object that the variable holds."""
 
 class Future(Generic[_T]):
     """The result of an asynchronous operation. May be an argument of later operations, in any position."""
@@ -71,6 +124,7 @@ class Session:
     def close(self) -> None: ...
     def call(self, entry_point: str, args: tuple[Any, ...], kwargs: Mapping[str, Any], mode: int) -> Any: ...
     def call_function(self, target: Any, function: str, args: tuple[Any, ...], kwargs: Mapping[str, Any], mode: int) -> Any: ...
+    def call_many(self, objects: Any, function: str, args: tuple[Any, ...], kwargs: Mapping[str, Any], mode: int) -> Any: ...
     def get_property(self, target: Any, path: str, mode: int) -> Any: ...
     def set_property(self, target: Any, path: str, value: Any, mode: int) -> Any: ...
 
@@ -94,5 +148,9 @@ def setup(
     *, object_class: type, struct_base: type, struct_class: Callable[[str, str, Sequence[str]], tuple[type, tuple[str, ...]]],
     enum_class: Callable[[str, str, bool, Sequence[tuple[str, int]]], tuple[type, dict[int, Any], Callable[[int], Any] | None]],
     enum_entries: Callable[[type], tuple[str, bool, list[tuple[str, int]]] | None], result_class: Callable[[str, Sequence[str]], type],
-    null_result: Callable[[Any, Any, str, bool, Any], None], parameter_name: Callable[[str], str], errors: Mapping[str, type], future_object: Callable[[Any], Any],
+    null_result: Callable[[Any, Any, str, bool, Any], None], parameter_name: Callable[[str], str], errors: Mapping[str, type], future_object: type,
+    member_class: type, async_namespace: type, send_namespace: type, renamed: Mapping[str, Any], unreal_name_of: Callable[[Any, str], str],
+    check_assignment: Callable[[str], None],
 ) -> None: ...
+def forget_names() -> None:
+    """To be called whenever ``renamed`` has changed."""

@@ -235,6 +235,19 @@ class Game(GameBase):
         return self._call("load_class", class_argument(uclass), path)
 
 
+    # Many at once -----------------------------------------------------------------------------------------------------------------------
+    def call_many(self, objects: Sequence[Any] | ObjectBase, function: str, /, *args: Any, **kwargs: Any) -> list[Any]:
+        """Calls a function, by Unreal's name, for each of many objects, without a loop in Python.
+
+        Each argument is one value for all calls, or, as a list, a tuple or an array, one for each call (of an array, a row):
+        ``game.call_many(actors, "SetActorScale3D", NewScale3D=scales)`` with ``scales`` of shape (len(actors), 3). One object
+        instead of a sequence is called again and again. The calls run in order, each on its own as if written out: all of them run, then the
+        first that failed raises its error. Gives the results in order; ``game.async_`` a list of futures, ``game.send_`` nothing.
+        Raises ValueError if the lengths differ.
+        """
+        return self._session.call_many(objects, function, args, kwargs, self._mode)  # type: ignore[no-any-return]
+
+
     # Classes: these work anywhere, also outside of blocks -------------------------------------------------------------------------------
     @overload
     def get_class(self, uclass: type[_T]) -> _T: ...

@@ -178,6 +178,17 @@ class AsyncGame(GameBase):
         """Loads a class by path, also one defined in content (``/Game/BP_X.BP_X_C``)."""
         return self._call('load_class', class_argument(uclass), path)
 
+    def call_many(self, objects: Sequence[Any] | ObjectBase, function: str, /, *args: Any, **kwargs: Any) -> list[Future[Any]]:
+        """Calls a function, by Unreal's name, for each of many objects, without a loop in Python.
+
+        Each argument is one value for all calls, or, as a list, a tuple or an array, one for each call (of an array, a row):
+        ``game.call_many(actors, "SetActorScale3D", NewScale3D=scales)`` with ``scales`` of shape (len(actors), 3). One object
+        instead of a sequence is called again and again. The calls run in order, each on its own as if written out: all of them run, then the
+        first that failed raises its error. Gives the results in order; ``game.async_`` a list of futures, ``game.send_`` nothing.
+        Raises ValueError if the lengths differ.
+        """
+        return self._session.call_many(objects, function, args, kwargs, self._mode)  # type: ignore[no-any-return]
+
     @overload
     def get_class(self, uclass: type[_T]) -> Future[_T]: ...
     @overload
@@ -295,6 +306,17 @@ class SendGame(GameBase):
     def load_class(self, path: str, uclass: Any='UObject') -> None:
         """Loads a class by path, also one defined in content (``/Game/BP_X.BP_X_C``)."""
         self._call('load_class', class_argument(uclass), path)
+
+    def call_many(self, objects: Sequence[Any] | ObjectBase, function: str, /, *args: Any, **kwargs: Any) -> None:
+        """Calls a function, by Unreal's name, for each of many objects, without a loop in Python.
+
+        Each argument is one value for all calls, or, as a list, a tuple or an array, one for each call (of an array, a row):
+        ``game.call_many(actors, "SetActorScale3D", NewScale3D=scales)`` with ``scales`` of shape (len(actors), 3). One object
+        instead of a sequence is called again and again. The calls run in order, each on its own as if written out: all of them run, then the
+        first that failed raises its error. Gives the results in order; ``game.async_`` a list of futures, ``game.send_`` nothing.
+        Raises ValueError if the lengths differ.
+        """
+        self._session.call_many(objects, function, args, kwargs, self._mode)
 
     def get_class(self, uclass: Any) -> None:
         """The class itself, for static functions: ``game.get_class(UGameplayStatics).SetGamePaused(bPaused=True)``."""

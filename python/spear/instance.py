@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Sequence
 from types import TracebackType
@@ -118,7 +119,14 @@ class Instance:
 
     def get_schema(self, modules: Sequence[str] = ()) -> dict[str, Any]:
         """The live reflection schema, of all modules or those named. Needs no block."""
-        return dict(self._session.call("unreal_service.get_schema", (list(modules),), {}, SYNC))
+        # Millions of dictionaries and lists that all stay: Python's search for cycles in between costs two thirds of the time and finds none.
+        collects = gc.isenabled()
+        gc.disable()
+        try:
+            return dict(self._session.call("unreal_service.get_schema", (list(modules),), {}, SYNC))
+        finally:
+            if collects:
+                gc.enable()
 
     def call(self, entry_point: str, /, *args: Any, **kwargs: Any) -> Any:
         """Calls any entry point by its full name, ``"engine_service.ping"``."""
@@ -143,8 +151,8 @@ class Instance:
 
     def statistics(self) -> Statistics:
         """Messages and bytes that have travelled so far, and results that the engine keeps. Answered also while the engine is held."""
-        *traffic, kept = self._session.statistics()
-        return Statistics(*(Traffic(*one) for one in traffic), kept)
+        sent, received, server_received, server_sent, kept = self._session.statistics()
+        return Statistics(Traffic(*sent), Traffic(*received), Traffic(*server_received), Traffic(*server_sent), kept)
 
     def trace(self, file: str | os.PathLike[str], *, operations: bool = False, events_per_thread: int = 0) -> Trace:
         """Records what this program and the engine do until the end of the ``with`` block, for ui.perfetto.dev or chrome://tracing.

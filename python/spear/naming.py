@@ -37,12 +37,14 @@ def load() -> None:
                 for name, unreal in (entity.get("names") or {}).items():
                     tables.setdefault(name, {})[owner] = unreal
     renamed.update(tables)
+    _native.forget_names()
 
 
 def _forget() -> None:
     global _loaded
     _loaded = False
     renamed.clear()
+    _native.forget_names()
     if facts.has_instances():
         load()
 

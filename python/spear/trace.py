@@ -7,13 +7,12 @@ module, :mod:`spear.trace_picture` draws a part of a trace.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from spear import _native
 
@@ -43,8 +42,7 @@ class Trace:
         self.stop()
 
 
-@dataclass(frozen=True)
-class Span:
+class Span(NamedTuple):
     """Something that took time. Times are microseconds since the beginning of the trace."""
 
     name: str
@@ -53,7 +51,7 @@ class Span:
     thread: int
     begin: float
     end: float
-    arguments: Mapping[str, Any] = field(default_factory=dict)
+    arguments: Mapping[str, Any]
 
     @property
     def duration(self) -> float:
@@ -89,6 +87,8 @@ def is_frame(span: Span) -> bool:
 
 def read(file: str | os.PathLike[str]) -> Recorded:
     """Reads a trace file of ours. Raises ValueError if it is none."""
+    import json  # `import spear` stays quick
+
     try:
         document = json.loads(Path(file).read_text(encoding="utf-8"))
         events = document["traceEvents"]
@@ -98,7 +98,7 @@ def read(file: str | os.PathLike[str]) -> Recorded:
         Span(event["name"], event["cat"], event["pid"], event["tid"], event["ts"], round(event["ts"] + event["dur"], 3), event["args"])
         for event in events if event["ph"] == "X"
     ]
-    spans.sort(key=lambda span: (span.process, span.thread, span.begin, -span.end))
+    spans.sort(key=lambda span: (span[2], span[3], span[4], -span[5]))
     names = [event for event in events if event["ph"] == "M"]
     return Recorded(
         spans,
@@ -110,6 +110,8 @@ def read(file: str | os.PathLike[str]) -> Recorded:
 
 def merge(files: Iterable[str | os.PathLike[str]], output: str | os.PathLike[str]) -> None:
     """Makes one trace of several that were recorded on one machine."""
+    import json
+
     documents = [json.loads(Path(file).read_text(encoding="utf-8")) for file in files]
     base = min(document["otherData"]["clock_base_ns"] for document in documents)
     events = []

@@ -12,11 +12,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, TypeVar, overload
 
 from spear import _native
-from spear._native import ASYNC, RAW, SEND, SYNC, Future
+from spear._native import ASYNC, RAW, SYNC, Future
 from spear.enums import UnrealEnum
-from spear.naming import renamed, unreal_name_of
 
-_set = object.__setattr__
 _T = TypeVar("_T", bound="ObjectBase")
 
 
@@ -48,15 +46,18 @@ class ObjectBase(_native.Object):
             """Unreal's name of the object's class, ``"AActor"``."""
             return self._class_name
 
-    @property
-    def async_(self) -> AsyncBase:
-        """The same functions and variables, asynchronously: each gives a Future at once, and runs in the same order."""
-        return AsyncNamespace(self, ASYNC)
+    if TYPE_CHECKING:
 
-    @property
-    def send_(self) -> SendBase:
-        """Fire-and-forget: nothing is returned; failures are reported when a block ends."""
-        return SendNamespace(self, SEND)
+        @property
+        def async_(self) -> AsyncBase:
+            """The same functions and variables, asynchronously: each gives a Future at once, and runs in the same order."""
+
+        @property
+        def send_(self) -> SendBase:
+            """Fire-and-forget: nothing is returned; failures are reported when a block ends."""
+
+    else:
+        async_, send_ = _native.Object.async_, _native.Object.send_
 
     def call(self, function: str, /, *args: Any, **kwargs: Any) -> Any:
         """Calls a function by Unreal's name. What it returns comes as it is: an object that is null is None."""
@@ -124,20 +125,9 @@ class UnrealObject(ObjectBase):
         @property
         def send_(self) -> SendNamespace: ...
 
-    def __getattr__(self, name: str) -> Member:
-        if name in renamed:
-            name = unreal_name_of(self, name)
-        elif name[:2] == "__":
-            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        return Member(self, name, SYNC)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name in OBJECT_METHODS:
-            from spear.codegen.names import python_name
-
-            spelled = python_name(name.rstrip("_"))
-            raise AttributeError(f"{name!r} is a member of spear.ObjectBase; a variable of Unreal of that name is object.{spelled} here")
-        self._session.set_property(self, unreal_name_of(self, name) if name in renamed else name, value, SYNC)
+        # These are the native half's.
+        def __getattr__(self, name: str) -> Member: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
 
     def __dir__(self) -> list[str]:
         """Methods here, then the class's functions and variables with those it inherits: what completion in a shell shows."""
@@ -150,16 +140,19 @@ class UnrealObject(ObjectBase):
 OBJECT_METHODS = frozenset(name for name in vars(ObjectBase) if not name.startswith("_"))
 
 
-class AsyncBase:
+def check_assignment(name: str) -> None:
+    """Raises AttributeError for assignments to what objects have of their own; the native half asks before it writes a variable."""
+    if name in OBJECT_METHODS:
+        from spear.codegen.names import python_name
+
+        spelled = python_name(name.rstrip("_"))
+        raise AttributeError(f"{name!r} is a member of spear.ObjectBase; a variable of Unreal of that name is object.{spelled} here")
+
+
+class AsyncBase(_native.Namespace):
     """What ``object.async_`` has of its own: the methods of ObjectBase, each giving a Future."""
 
-    __slots__ = ("_target", "_mode")
-    _target: Any
-    _mode: int
-
-    def __init__(self, target: Any, mode: int) -> None:
-        _set(self, "_target", target)
-        _set(self, "_mode", mode)
+    __slots__ = ()
 
     def call(self, function: str, /, *args: Any, **kwargs: Any) -> Future[Any]:
         """Calls a function by Unreal's name."""
@@ -213,27 +206,16 @@ class AsyncNamespace(AsyncBase):
 
     __slots__ = ()
 
-    def __getattr__(self, name: str) -> Member:
-        if name in renamed:
-            name = unreal_name_of(self._target, name)
-        elif name[:2] == "__":
-            raise AttributeError(name)
-        return Member(self._target, name, self._mode)
+    if TYPE_CHECKING:
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        self._target._session.set_property(self._target, unreal_name_of(self._target, name) if name in renamed else name, value, self._mode)
+        def __getattr__(self, name: str) -> Member: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
 
 
-class SendBase:
+class SendBase(_native.Namespace):
     """What ``object.send_`` has of its own."""
 
-    __slots__ = ("_target", "_mode")
-    _target: Any
-    _mode: int
-
-    def __init__(self, target: Any, mode: int) -> None:
-        _set(self, "_target", target)
-        _set(self, "_mode", mode)
+    __slots__ = ()
 
     def call(self, function: str, /, *args: Any, **kwargs: Any) -> None:
         """Calls a function by Unreal's name."""
@@ -252,69 +234,19 @@ class SendNamespace(SendBase):
 
     __slots__ = ()
 
-    def __getattr__(self, name: str) -> Member:
-        if name in renamed:
-            name = unreal_name_of(self._target, name)
-        elif name[:2] == "__":
-            raise AttributeError(name)
-        return Member(self._target, name, self._mode)
+    if TYPE_CHECKING:
 
-    def __setattr__(self, name: str, value: Any) -> None:
-        self._target._session.set_property(self._target, unreal_name_of(self._target, name) if name in renamed else name, value, self._mode)
+        def __getattr__(self, name: str) -> Member: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
 
 
-class Member:
-    """A function or variable of an object, by name; nothing is sent before it is called, got or set."""
+class Member(_native.MemberBase):
+    """A function or variable of an object, by name; nothing is sent before it is called, got or set.
 
-    __slots__ = ("_target", "_path", "_mode")
-    _target: Any
-    _path: str
-    _mode: int
+    Called, it is a function, with positional or keyword arguments; omitted ones take Unreal's defaults.
+    """
 
-    def __init__(self, target: Any, path: str, mode: int) -> None:
-        _set_target(self, target)
-        _set_path(self, path)
-        _set_mode(self, mode)
-
-    # As a function ---------------------------------------------------------------------------------------------------
-
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        """Calls the function, with positional or keyword arguments. Omitted ones take Unreal's defaults."""
-        target, path = self._target, self._path
-        session = target._session
-        if "." in path or "[" in path:
-            # A function of the object that the path leads to: the server passes it on, so this is still one round trip.
-            owner, _, path = path.rpartition(".")
-            if not owner:
-                raise TypeError(f"{self._path!r} is an element of a variable, not a function")
-            target = session.get_property(target, owner, ASYNC | RAW)
-        return session.call_function(target, path, args, kwargs, self._mode)
-
-    # As a variable ---------------------------------------------------------------------------------------------------
-
-    def get(self, path: str = "", /) -> Any:
-        """The variable's value; a Future under ``async_``. NullObject if it is an object, and null.
-
-        With a path: what is there, seen from the object that the variable holds (as ``object.get(path)``).
-        """
-        if path:
-            return self._target._session.get_property(self._target, f"{self._path}.{path}", self._mode | RAW)
-        return self._target._session.get_property(self._target, self._path, self._mode)
-
-    def get_or_none(self) -> Any:
-        """The variable's value, None for an object that is null; a Future under ``async_``."""
-        return self._target._session.get_property(self._target, self._path, self._mode | RAW)
-
-    @overload
-    def set(self, value: Any, /) -> Any: ...
-    @overload
-    def set(self, path: str, value: Any, /) -> Any: ...
-    def set(self, *given: Any) -> Any:
-        """Writes the variable, through Unreal's own setter where it has one. With a path before the value: what is there (see get)."""
-        if len(given) != 1:
-            path, value = given
-            return self._target._session.set_property(self._target, f"{self._path}.{path}", value, self._mode)
-        return self._target._session.set_property(self._target, self._path, given[0], self._mode)
+    __slots__ = ()
 
     # As the object that the variable holds: one round trip, as the server passes it on -----------------------------------------------------
 
@@ -348,27 +280,10 @@ class Member:
     def _service(self, name: str, *args: Any) -> Any:
         return self._target._session.call(name, (self._held(), *args), {}, self._mode)
 
-    @property
-    def async_(self) -> Member:
-        """The same place, asynchronously: ``actor.RootComponent.async_.K2_GetComponentLocation()``."""
-        return Member(self._target, self._path, ASYNC)
+    if TYPE_CHECKING:
 
-    @property
-    def send_(self) -> Member:
-        """The same place, fire-and-forget."""
-        return Member(self._target, self._path, SEND)
-
-    def __getattr__(self, name: str) -> Member:
-        if name in renamed:
-            name = unreal_name_of(None, name)
-        elif name[:2] == "__":
-            raise AttributeError(name)
-        return Member(self._target, f"{self._path}.{name}", self._mode)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name in renamed:
-            name = unreal_name_of(None, name)
-        self._target._session.set_property(self._target, f"{self._path}.{name}", value, self._mode)
+        def __getattr__(self, name: str) -> Member: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
 
     def __getitem__(self, key: int | str) -> Member:
         return Member(self._target, f"{self._path}[{_key_text(key)}]", self._mode)
@@ -391,10 +306,6 @@ class Member:
     __hash__ = None  # type: ignore[assignment]
 
 
-# The slots' own setters: the quickest way round __setattr__, and members are made all the time.
-_set_target, _set_path, _set_mode = (vars(Member)[name].__set__ for name in Member.__slots__)
-
-
 def _key_text(key: int | str) -> str:
     if isinstance(key, UnrealEnum):
         key = key.unreal_entry
@@ -406,77 +317,31 @@ def _key_text(key: int | str) -> str:
     raise TypeError(f"an index is an int or a str, not {type(key).__name__}")
 
 
-def future_object(future: Future[Any]) -> FutureObject:
-    """The object that a future will be, as a target of further calls without waiting."""
-    return FutureObject(future)
-
-
 def _method(function: Any) -> Any:
-    """A method of objects for objects to come: they have a session too, which puts the future in their place."""
+    """A method of objects for objects to come: they have a session too, and stand for their future in calls."""
     return function
 
 
-class FutureObject:
+class FutureObject(_native.FutureObjectBase):
     """What ``future.object`` gives: functions and variables of an object that is not known yet. The server passes it on (guarantee G8).
 
     It has what an object has. Calls are synchronous, as there; ``.async_`` and ``.send_`` too.
     """
 
-    __slots__ = ("_future", "_session")
-    _future: Future[Any]
-    _session: _Redirect
+    __slots__ = ()
 
-    def __init__(self, future: Future[Any]) -> None:
-        _set(self, "_future", future)
-        _set(self, "_session", _Redirect(future))
+    if TYPE_CHECKING:
 
-    @property
-    def async_(self) -> AsyncNamespace:
-        """Asynchronous calls on the object to come."""
-        return AsyncNamespace(self, ASYNC)
-
-    @property
-    def send_(self) -> SendNamespace:
-        """Fire-and-forget calls on the object to come."""
-        return SendNamespace(self, SEND)
+        @property
+        def async_(self) -> AsyncNamespace: ...
+        @property
+        def send_(self) -> SendNamespace: ...
+        def __getattr__(self, name: str) -> Member: ...
+        def __setattr__(self, name: str, value: Any) -> None: ...
 
     call, get, set = _method(ObjectBase.call), _method(ObjectBase.get), _method(ObjectBase.set)
     is_valid, get_class, get_path_name = _method(ObjectBase.is_valid), _method(ObjectBase.get_class), _method(ObjectBase.get_path_name)
     get_component, get_components = _method(ObjectBase.get_component), _method(ObjectBase.get_components)
 
-    def __getattr__(self, name: str) -> Member:
-        if name in renamed:
-            name = unreal_name_of(None, name)
-        elif name[:2] == "__":
-            raise AttributeError(name)
-        return Member(self, name, SYNC)
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        self._session.set_property(self, unreal_name_of(None, name) if name in renamed else name, value, SYNC)
-
     def __repr__(self) -> str:
         return f"<object of {self._future!r}>"
-
-
-class _Redirect:
-    """Passes a FutureObject's operations on to the session with the future itself as the target."""
-
-    __slots__ = ("_future",)
-
-    def __init__(self, future: Future[Any]) -> None:
-        self._future = future
-
-    def _target(self, target: Any) -> Any:
-        return self._future if isinstance(target, FutureObject) else target
-
-    def call(self, entry_point: str, args: tuple[Any, ...], kwargs: dict[str, Any], mode: int) -> Any:
-        return self._future._session.call(entry_point, tuple(map(self._target, args)), kwargs, mode)
-
-    def call_function(self, target: Any, name: str, args: tuple[Any, ...], kwargs: dict[str, Any], mode: int) -> Any:
-        return self._future._session.call_function(self._target(target), name, args, kwargs, mode)
-
-    def get_property(self, target: Any, path: str, mode: int) -> Any:
-        return self._future._session.get_property(self._target(target), path, mode)
-
-    def set_property(self, target: Any, path: str, value: Any, mode: int) -> Any:
-        return self._future._session.set_property(self._target(target), path, value, mode)

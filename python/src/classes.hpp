@@ -22,7 +22,13 @@ struct Classes {
         nullptr; ///< spear.nulls.null_result(...): raises where a null object is none of the results
     PyObject* parameter_name = nullptr; ///< spear.naming.parameter_name(keyword) -> Unreal's name
     PyObject* errors = nullptr;         ///< {name: class}
-    PyObject* future_object = nullptr;  ///< spear.unreal_object.future_object(future)
+    PyObject* future_object = nullptr;  ///< spear.FutureObject
+    PyObject* member = nullptr;         ///< spear.Member
+    PyObject* async_namespace = nullptr; ///< spear.unreal_object.AsyncNamespace
+    PyObject* send_namespace = nullptr;  ///< spear.unreal_object.SendNamespace
+    PyObject* renamed = nullptr;         ///< spear.naming.renamed: {attribute: what it is in Unreal, or where to look}
+    PyObject* unreal_name_of = nullptr;  ///< spear.naming.unreal_name_of(target, attribute) for those
+    PyObject* check_assignment = nullptr; ///< spear.unreal_object.check_assignment(name): raises for names of ObjectBase
 
     /// Counts the announcements of enums by engines: a class may have got more entries, so that it is announced anew.
     std::uint32_t enums_seen = 0;
@@ -37,7 +43,6 @@ struct Names {
     PyObject* attributes = PyUnicode_InternFromString("_attributes");
     PyObject* field_types = PyUnicode_InternFromString("field_types");
     PyObject* unreal_name = PyUnicode_InternFromString("unreal_name");
-    PyObject* future = PyUnicode_InternFromString("_future");
 };
 inline const Names& names() {
     static const Names instance;

@@ -32,10 +32,7 @@ nb::object decode_object(Decoder& in, nb::handle session) {
         ++session_of(session).nulls_read;
         return nb::none();
     }
-    nb::object made = nb::inst_alloc(classes.object);
-    new (nb::inst_ptr<NativeObject>(made)) NativeObject{nb::borrow(session), ref};
-    nb::inst_mark_ready(made);
-    return made;
+    return nb::steal(make_object(session.ptr(), ref));
 }
 
 nb::object decode_struct(Decoder& in, TypeId type, const TypeInfo& info, nb::handle session) {
@@ -50,9 +47,13 @@ nb::object decode_struct(Decoder& in, TypeId type, const TypeInfo& info, nb::han
         return tuple;
     }
     nb::object made = checked(type_object->tp_alloc(type_object, 0));
+    const bool has_slots = reader.offsets.size() == info.fields.size();
     for (std::size_t i = 0; i < info.fields.size(); ++i) {
-        const nb::object field = decode_python(in, info.fields[i].type, session);
-        if (PyObject_GenericSetAttr(made.ptr(), reader.fields[i], field.ptr()) != 0) {
+        nb::object field = decode_python(in, info.fields[i].type, session);
+        if (has_slots) {
+            *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(made.ptr()) + reader.offsets[i]) =
+                field.release().ptr(); // new: nothing is there yet
+        } else if (PyObject_GenericSetAttr(made.ptr(), reader.fields[i], field.ptr()) != 0) {
             throw nb::python_error();
         }
     }
@@ -117,14 +118,14 @@ void check_nulls(nb::handle value, nb::handle session, const Asked& asked) {
         }
     }
     if (in_question) {
-        nb::object name = asked.name;
+        nb::object name = nb::borrow(asked.name);
         if (asked.is_function) {
             Py_ssize_t size = 0;
             const char* written = PyUnicode_AsUTF8AndSize(name.ptr(), &size);
             const std::string_view reflected = resolve_function_alias({written, static_cast<std::size_t>(size)});
             name = nb::str(reflected.data(), reflected.size());
         }
-        nb::handle(classes.null_result)(session, asked.target, name, asked.is_function, value);
+        nb::handle(classes.null_result)(session, nb::handle(asked.target), name, asked.is_function, value);
     }
 }
 
@@ -217,7 +218,7 @@ nb::object decode_result(const RawResult& result, nb::handle session, const Aske
     if (!in.ok()) {
         malformed();
     }
-    if (session_of(session).nulls_read != nulls_before && asked.target.is_valid()) {
+    if (session_of(session).nulls_read != nulls_before && asked.target) {
         check_nulls(value, session, asked);
     }
     return value;

@@ -92,9 +92,15 @@ bool encode_number_payload(Encoder& out, TypeId type, PyObject* value) {
     }
 }
 
-/// A field's value; nothing if it is not set. Not through __getattr__, which only words the error.
-nb::object field_of(PyObject* value, PyObject* name) {
-    PyObject* field = PyObject_GenericGetAttr(value, name);
+/// The value of a struct's field of that index; nothing if it is not set. Not through __getattr__, which only words the
+/// error.
+nb::object field_of(PyObject* value, const StructWriter& writer, std::size_t index) {
+    if (!writer.offsets.empty()) {
+        PyObject* const in_slot =
+            *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(value) + writer.offsets[index]);
+        return nb::borrow(in_slot);
+    }
+    PyObject* field = PyObject_GenericGetAttr(value, writer.fields[index]);
     if (!field) {
         if (!PyErr_ExceptionMatches(PyExc_AttributeError)) {
             throw nb::python_error();
@@ -125,7 +131,7 @@ void encode_set_fields(
         }
     }
     for (std::size_t i = 0; i < writer.fields.size(); ++i) {
-        if (const nb::object field = field_of(value, writer.fields[i]); field.is_valid()) {
+        if (const nb::object field = field_of(value, writer, i); field.is_valid()) {
             out.put_text(writer.names[i]);
             encode_python(operation, session, field, depth + 1);
             ++count;
@@ -144,7 +150,7 @@ void encode_struct(OperationBuilder& operation, PySession& session, PyObject* va
         out.put(writer.numbers);
         bool all = true;
         for (std::size_t i = 0; i < writer.fields.size() && all; ++i) {
-            const nb::object field = field_of(value, writer.fields[i]);
+            const nb::object field = field_of(value, writer, i);
             all = field.is_valid() && encode_number_payload(out, writer.field_types[i], field.ptr());
         }
         if (all) {
@@ -156,8 +162,8 @@ void encode_struct(OperationBuilder& operation, PySession& session, PyObject* va
         return encode_set_fields(operation, session, writer, value, depth);
     }
     out.put(writer.anything);
-    for (PyObject* name : writer.fields) {
-        const nb::object field = field_of(value, name);
+    for (std::size_t i = 0; i < writer.fields.size(); ++i) {
+        const nb::object field = field_of(value, writer, i);
         if (!field.is_valid()) {
             out.buffer.resize(start);
             return encode_set_fields(operation, session, writer, value, depth);
@@ -211,32 +217,48 @@ void encode_buffer_payload(Encoder& out, const Py_buffer& buffer, int dimension,
     }
 }
 
+/// Opens a value's buffer, contiguous; false if it has none.
+bool open_buffer(PyObject* value, Py_buffer& buffer) {
+    if (PyObject_GetBuffer(value, &buffer, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) == 0) {
+        return true;
+    }
+    PyErr_Clear();
+    // Not contiguous: NumPy copies it for us.
+    const nb::object copy = nb::module_::import_("numpy").attr("ascontiguousarray")(nb::handle(value));
+    if (copy.ptr() == value || PyObject_GetBuffer(copy.ptr(), &buffer, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
+        PyErr_Clear();
+        return false;
+    }
+    return true;
+}
+
+/// The type of an array of so many dimensions.
+TypeId array_type(TypeSource& source, TypeId element, int dimensions) {
+    TypeId type = element;
+    for (int dimension = 0; dimension < dimensions; ++dimension) {
+        TypeInfo info;
+        info.kind = TypeKind::array;
+        info.element = type;
+        type = source.number_of(info);
+    }
+    return type;
+}
+
 /// NumPy arrays and the like; false if the value is no array of numbers.
 bool encode_buffer(OperationBuilder& operation, PyObject* value) {
     Py_buffer buffer;
-    if (PyObject_GetBuffer(value, &buffer, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
-        PyErr_Clear();
-        // Not contiguous: NumPy copies it for us.
-        const nb::object copy = nb::module_::import_("numpy").attr("ascontiguousarray")(nb::handle(value));
-        if (copy.ptr() == value || PyObject_GetBuffer(copy.ptr(), &buffer, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
-            PyErr_Clear();
-            return false;
-        }
+    if (!open_buffer(value, buffer)) {
+        return false;
     }
     struct Release {
         Py_buffer& buffer;
         ~Release() { PyBuffer_Release(&buffer); }
     } release{buffer};
-    TypeId type = buffer_element(buffer);
-    if (type == types::null || buffer.ndim < 1) {
+    const TypeId element = buffer_element(buffer);
+    if (element == types::null || buffer.ndim < 1) {
         return false;
     }
-    for (int dimension = 0; dimension < buffer.ndim; ++dimension) {
-        TypeInfo info;
-        info.kind = TypeKind::array;
-        info.element = type;
-        type = operation.types().number_of(info);
-    }
+    const TypeId type = array_type(operation.types(), element, buffer.ndim);
     Encoder& out = operation.out();
     out.put(type);
     const char* at = static_cast<const char*>(buffer.buf);
@@ -254,6 +276,31 @@ bool encode_buffer(OperationBuilder& operation, PyObject* value) {
 
 } // namespace
 
+std::unique_ptr<NumberRows> NumberRows::of(PyObject* value, PySession& session) {
+    std::unique_ptr<NumberRows> rows(new NumberRows);
+    if (!open_buffer(value, rows->buffer_)) {
+        return nullptr;
+    }
+    const Py_buffer& buffer = rows->buffer_;
+    const TypeId element = buffer_element(buffer);
+    if (element == types::null || buffer.ndim < 1) {
+        return nullptr;
+    }
+    rows->type_ = array_type(*session.session(), element, buffer.ndim - 1);
+    rows->row_bytes_ = buffer.shape[0] ? static_cast<std::size_t>(buffer.len / buffer.shape[0]) : 0;
+    return rows;
+}
+
+void NumberRows::encode(OperationBuilder& operation, std::size_t row) const {
+    Encoder& out = operation.out();
+    out.put(type_);
+    const char* at = static_cast<const char*>(buffer_.buf) + row * row_bytes_;
+    if (buffer_.ndim == 1)
+        out.put_raw(at, row_bytes_);
+    else
+        encode_buffer_payload(out, buffer_, 1, at);
+}
+
 void encode_python(OperationBuilder& operation, PySession& session, nb::handle handle, std::size_t depth) {
     if (depth > limits::max_value_depth) {
         throw_error(ErrorCode::LimitExceeded, "A value is nested deeper than " +
@@ -262,7 +309,14 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
     }
     PyObject* value = handle.ptr();
     Encoder& out = operation.out();
-    if (value == Py_None) {
+    if (is_object(value)) {
+        const NativeObject& object = *as<NativeObject>(value);
+        if (&session_of(object.session) != &session) {
+            throw_error(ErrorCode::WrongType,
+                "An object of one session was given to another; find it there by its path (get_path_name()).");
+        }
+        Codec<ObjectRef>::encode(out, object.ref);
+    } else if (value == Py_None) {
         out.put(types::null);
     } else if (PyFloat_Check(value)) {
         out.put(types::f64);
@@ -287,16 +341,11 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
     } else if (PyUnicode_Check(value)) {
         out.put(types::string);
         encode_text(out, value);
-    } else if (nb::isinstance<NativeObject>(handle)) {
-        const NativeObject& object = *nb::inst_ptr<NativeObject>(handle);
-        if (&session_of(object.session) != &session) {
-            throw_error(ErrorCode::WrongType,
-                "An object of one session was given to another; find it there by its path (get_path_name()).");
-        }
-        Codec<ObjectRef>::encode(out, object.ref);
-    } else if (nb::isinstance<NativeFuture>(handle)) {
-        operation.put_future(nb::inst_ptr<NativeFuture>(handle)->operation);
-    } else if (PyObject_IsInstance(value, classes.struct_base) == 1) {
+    } else if (is_future(value)) {
+        operation.put_future(as<NativeFuture>(value)->operation);
+    } else if (is_future_object(value)) {
+        operation.put_future(as<NativeFuture>(as<NativeFutureObject>(value)->future)->operation);
+    } else if (PyObject_TypeCheck(value, reinterpret_cast<PyTypeObject*>(classes.struct_base))) {
         encode_struct(operation, session, value, depth);
     } else if (PyDict_Check(value)) {
         const auto count = static_cast<std::uint32_t>(PyDict_Size(value));
@@ -335,8 +384,7 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         out.put_text({PyBytes_AS_STRING(value), static_cast<std::size_t>(PyBytes_GET_SIZE(value))});
     } else if (PyObject_CheckBuffer(value) && encode_buffer(operation, value)) {
         return;
-    } else if (PyIndex_Check(value) && !PyObject_HasAttr(value, names().future) &&
-               Py_TYPE(value)->tp_as_number->nb_index) {
+    } else if (PyIndex_Check(value)) {
         const nb::object number =
             nb::steal(PyNumber_Index(value)); // NumPy integers; a Member raises its own advice here
         if (!number.is_valid()) {
@@ -350,12 +398,6 @@ void encode_python(OperationBuilder& operation, PySession& session, nb::handle h
         }
         out.put(types::string);
         encode_text(out, name.ptr());
-    } else if (PyObject_HasAttr(value, names().future)) { // FutureObject
-        const nb::object future = nb::getattr(handle, nb::handle(names().future));
-        if (!nb::isinstance<NativeFuture>(future)) {
-            refuse(value);
-        }
-        operation.put_future(nb::inst_ptr<NativeFuture>(future)->operation);
     } else if (const PyNumberMethods* number = Py_TYPE(value)->tp_as_number;
         number && number->nb_float) { // NumPy's float32
         const nb::object as_float = nb::steal(PyNumber_Float(value));

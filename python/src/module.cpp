@@ -30,6 +30,26 @@ void set_python_error(const detail::ErrorBase& error) {
     PyErr_SetObject(python_class.ptr(), made.ptr());
 }
 
+void translate_current_exception() noexcept {
+    try {
+        try {
+            throw;
+        } catch (nb::python_error& error) {
+            error.restore();
+        } catch (const detail::ErrorBase& error) {
+            set_python_error(error);
+        } catch (const std::bad_alloc&) {
+            PyErr_NoMemory();
+        } catch (const std::exception& error) {
+            PyErr_SetString(PyExc_RuntimeError, error.what());
+        }
+    } catch (nb::python_error& error) { // the error's own class could not be made
+        error.restore();
+    } catch (const std::exception& error) {
+        PyErr_SetString(PyExc_RuntimeError, error.what());
+    }
+}
+
 namespace {
 
 const char* runs_on_name(RunsOn thread) {
@@ -173,17 +193,49 @@ void setup(const nb::kwargs& given) {
     classes.parameter_name = take("parameter_name");
     classes.errors = take("errors");
     classes.future_object = take("future_object");
+    classes.member = take("member_class");
+    classes.async_namespace = take("async_namespace");
+    classes.send_namespace = take("send_namespace");
+    classes.renamed = take("renamed");
+    classes.unreal_name_of = take("unreal_name_of");
+    classes.check_assignment = take("check_assignment");
+    // Python before 3.12 does not hand the quick way of calling down to classes that derive.
+    auto* const member = reinterpret_cast<PyTypeObject*>(classes.member);
+    member->tp_flags |= Py_TPFLAGS_HAVE_VECTORCALL;
+    PyType_Modified(member);
 }
 
-nb::object future_get(const NativeFuture& future, std::optional<double> timeout) {
-    RawResult result;
-    {
-        const nb::gil_scoped_release unlock;
-        result = future.operation.get(
-            timeout ? std::optional(Milliseconds(static_cast<std::int64_t>(*timeout * 1000))) : std::nullopt);
+/// Arguments that come as a tuple and a dict: names are interned, so that they are found by identity.
+class UnpackedArguments {
+public:
+    UnpackedArguments(nb::tuple args, nb::dict kwargs) {
+        for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(args.ptr()); ++i) {
+            values_.push_back(PyTuple_GET_ITEM(args.ptr(), i));
+        }
+        const Py_ssize_t count = PyDict_Size(kwargs.ptr());
+        if (count != 0) {
+            keywords_ = nb::steal(PyTuple_New(count));
+            if (!keywords_.is_valid()) {
+                throw nb::python_error();
+            }
+            PyObject *name = nullptr, *value = nullptr;
+            Py_ssize_t position = 0;
+            for (Py_ssize_t i = 0; PyDict_Next(kwargs.ptr(), &position, &name, &value); ++i) {
+                PyTuple_SET_ITEM(keywords_.ptr(), i, Py_NewRef(name));
+                values_.push_back(value);
+            }
+        }
+        arguments = {values_.data(), PyTuple_GET_SIZE(args.ptr()), keywords_.is_valid() ? keywords_.ptr() : nullptr};
     }
-    return future.has_result ? decode_result(result, future.session, future.asked) : nb::none();
-}
+    Arguments arguments;
+
+private:
+    std::vector<PyObject*> values_;
+    nb::object keywords_;
+};
+
+/// The path of a text, for one operation.
+nb::object path_of(nb::str text) { return nb::steal(reinterpret_cast<PyObject*>(path_of_text(text.ptr()))); }
 
 } // namespace
 
@@ -222,36 +274,7 @@ NB_MODULE(_native, module) {
     });
     module.attr("ENTRY_POINTS") = entry_point_list;
 
-    nb::class_<NativeObject>(module, "Object")
-        .def_prop_ro("_session", [](const NativeObject& self) { return self.session; })
-        .def_prop_ro("_handle", [](const NativeObject& self) { return self.ref.handle; })
-        .def_prop_ro("_class_name",
-            [](const NativeObject& self) {
-                const TypeInfo* info = session_of(self.session).session()->types().find(self.ref.class_type);
-                return info ? info->name : std::string("UObject");
-            })
-        .def_prop_ro("_class_names",
-            [](const NativeObject& self) { return session_of(self.session).class_names(self.ref.class_type); })
-        .def(
-            "__eq__",
-            [](const NativeObject& self, nb::handle other) -> nb::object {
-                if (!nb::isinstance<NativeObject>(other))
-                    return nb::borrow(Py_NotImplemented);
-                const NativeObject& right = *nb::inst_ptr<NativeObject>(other);
-                return nb::bool_(self.ref.handle == right.ref.handle && self.session.is(right.session));
-            },
-            nb::arg("other").none())
-        .def("__hash__", [](const NativeObject& self) { return std::hash<std::uint64_t>()(self.ref.handle); });
-
-    nb::class_<NativeFuture>(module, "Future", nb::is_generic())
-        .def("get", &future_get, nb::arg("timeout") = nb::none())
-        .def("is_ready", [](const NativeFuture& self) { return self.operation.is_ready(); })
-        .def_prop_ro("object", [](nb::handle self) { return nb::handle(classes.future_object)(self); })
-        .def_prop_ro("_session", [](const NativeFuture& self) { return self.session; })
-        .def("__repr__", [](const NativeFuture& self) {
-            return "<spear.Future " + std::to_string(self.operation.number()) +
-                   (self.operation.is_ready() ? ">" : " (pending)>");
-        });
+    make_native_types(module);
 
     nb::class_<PySession>(module, "Session")
         .def_prop_ro("address", [](PySession& self) { return self.session()->address(); })
@@ -275,14 +298,21 @@ NB_MODULE(_native, module) {
                          int mode) { return PySession::call(self, entry_point, args, kwargs, mode); })
         .def("call_function",
             [](nb::handle self, nb::handle target, nb::str function, nb::tuple args, nb::dict kwargs, int mode) {
-                return PySession::call_function(self, target, function, args, kwargs, mode);
+                const UnpackedArguments unpacked(args, kwargs);
+                const nb::object path = path_of(function);
+                return PySession::call_function(self, target, as<NativePath>(path.ptr()), unpacked.arguments, mode);
             })
-        .def("get_property", [](nb::handle self, nb::handle target, nb::str path,
-                                 int mode) { return PySession::get_property(self, target, path, mode); })
+        .def("call_many", &PySession::call_many)
+        .def("get_property",
+            [](nb::handle self, nb::handle target, nb::str text, int mode) {
+                const nb::object path = path_of(text);
+                return PySession::get_property(self, target, as<NativePath>(path.ptr()), mode);
+            })
         .def(
             "set_property",
-            [](nb::handle self, nb::handle target, nb::str path, nb::handle value, int mode) {
-                return PySession::set_property(self, target, path, value, mode);
+            [](nb::handle self, nb::handle target, nb::str text, nb::handle value, int mode) {
+                const nb::object path = path_of(text);
+                return PySession::set_property(self, target, as<NativePath>(path.ptr()), value, mode);
             },
             nb::arg("target"), nb::arg("path"), nb::arg("value").none(), nb::arg("mode"));
 
@@ -311,6 +341,7 @@ NB_MODULE(_native, module) {
     module.def("describe_engine", &describe_engine, nb::arg("address"), nb::arg("timeout_ms"));
     module.def("remove_leftovers", &remove_leftovers, nb::arg("logs_too"));
     module.def("setup", &setup);
+    module.def("forget_names", &forget_names);
 }
 
 } // namespace spear::python

@@ -3,6 +3,10 @@
 
 #include <cstring>
 
+#include <nanobind/nanobind.h>
+
+#include <structmember.h>
+
 #include "classes.hpp"
 
 namespace spear::python {
@@ -53,8 +57,46 @@ std::string_view text_of(nb::handle text, const char* what) {
     return {utf8, static_cast<std::size_t>(size)};
 }
 
-Asked asked_about(nb::handle target, nb::handle name, int mode, bool is_function) {
-    return mode & raw_mode ? Asked{} : Asked{nb::borrow(target), nb::borrow(name), is_function};
+/// What is asked about an operation on a target: of an object to come, its future.
+Asked asked_about(nb::handle target, const NativePath& name, int mode, bool is_function) {
+    if (mode & raw_mode) {
+        return {};
+    }
+    return {is_future_object(target.ptr()) ? as<NativeFutureObject>(target.ptr())->future : target.ptr(), name.text,
+        is_function};
+}
+
+/// Whether two tuples of keywords are the same: those of one place in a program are one tuple, and its names interned.
+bool same_keywords(PyObject* left, PyObject* right) {
+    if (left == right) {
+        return true;
+    }
+    if (!left || !right || PyTuple_GET_SIZE(left) != PyTuple_GET_SIZE(right)) {
+        return false;
+    }
+    for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(left); ++i) {
+        if (PyTuple_GET_ITEM(left, i) != PyTuple_GET_ITEM(right, i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The number that a session gave to what `positional` and `keywords` say of a path, asked from `announce` once.
+template <typename F>
+ShapeId kept_shape(
+    NativePath& path, std::uint64_t session, Py_ssize_t positional, PyObject* keywords, const F& announce) {
+    for (const NativePath::Shape& shape : path.shapes) {
+        if (shape.session == session && shape.positional == positional && same_keywords(shape.keywords, keywords)) {
+            return {shape.number};
+        }
+    }
+    const ShapeId number = announce();
+    NativePath::Shape& shape = path.shapes[path.next_shape++ % NativePath::shapes_kept];
+    PyObject* const before = shape.keywords;
+    shape = {session, positional, Py_XNewRef(keywords), number.number};
+    Py_XDECREF(before);
+    return number;
 }
 
 TypeId number_type_named(std::string_view name) {
@@ -94,16 +136,12 @@ nb::object PySession::perform(
     nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked) {
     mode &= ~raw_mode;
     if (mode == sync_mode) {
-        RawResult result;
-        {
-            const nb::gil_scoped_release unlock;
-            result = operation.call();
-        }
+        const RawResult result = waited_for([&](BeforeSleep notice) { return operation.call_here({}, notice); });
         return has_result ? decode_result(result, self, asked) : nb::none();
     }
     if (mode == async_mode) {
-        return nb::cast(
-            new NativeFuture{nb::borrow(self), operation.async(), has_result, asked}, nb::rv_policy::take_ownership);
+        return nb::steal(
+            make_future(self.ptr(), operation.async(), has_result, asked.target, asked.name, asked.is_function));
     }
     operation.send();
     return nb::none();
@@ -151,24 +189,11 @@ nb::object PySession::call(nb::handle self, std::string_view entry_point, nb::tu
     return perform(self, operation, mode, row.has_result, {});
 }
 
-ShapeId PySession::function_shape(nb::handle function, std::size_t positional, nb::handle kwargs) {
-    std::string key(text_of(function, "A function's name"));
-    const std::size_t name_size = key.size();
-    key += '\0';
-    key += static_cast<char>('0' + positional % 64);
-    PyObject *name = nullptr, *value = nullptr;
-    Py_ssize_t position = 0;
-    while (PyDict_Next(kwargs.ptr(), &position, &name, &value)) {
-        key += '\0';
-        key += text_of(name, "A keyword");
-    }
-    if (const auto at = function_shapes_.find(key); at != function_shapes_.end() && positional < 64) {
-        return at->second;
-    }
-    std::vector<std::string_view> argument_names(positional);
-    position = 0;
+ShapeId PySession::announced_function_shape(NativePath& function, const Arguments& arguments) {
+    std::vector<std::string_view> argument_names(static_cast<std::size_t>(arguments.positional));
     std::vector<nb::object> renamed; // keeps the texts
-    while (PyDict_Next(kwargs.ptr(), &position, &name, &value)) {
+    for (Py_ssize_t i = 0; arguments.keywords && i < PyTuple_GET_SIZE(arguments.keywords); ++i) {
+        PyObject* const name = PyTuple_GET_ITEM(arguments.keywords, i);
         std::string_view keyword = text_of(name, "A keyword");
         if (keyword.ends_with('_')) { // may stand for a word of Python: `class_` for `class`
             renamed.push_back(nb::handle(classes.parameter_name)(nb::handle(name)));
@@ -176,51 +201,45 @@ ShapeId PySession::function_shape(nb::handle function, std::size_t positional, n
         }
         argument_names.push_back(keyword);
     }
-    const ShapeId shape = session_->call_shape(std::string_view(key).substr(0, name_size), argument_names);
-    if (positional < 64) {
-        function_shapes_.emplace(std::move(key), shape);
-    }
-    return shape;
+    return session_->call_shape(text_of(function.text, "A function's name"), argument_names);
 }
 
-ShapeId PySession::path_shape(nb::handle path) {
-    const std::string_view text = text_of(path, "A variable's path");
-    if (const auto at = path_shapes_.find(std::string(text)); at != path_shapes_.end()) {
-        return at->second;
-    }
-    return path_shapes_.emplace(std::string(text), session_->path_shape(text)).first->second;
+ShapeId PySession::function_shape(NativePath& function, const Arguments& arguments) {
+    return kept_shape(function, serial, arguments.positional, arguments.keywords,
+        [&] { return announced_function_shape(function, arguments); });
+}
+
+ShapeId PySession::path_shape(NativePath& path) {
+    return kept_shape(
+        path, serial, -1, nullptr, [&] { return session_->path_shape(text_of(path.text, "A variable's path")); });
 }
 
 nb::object PySession::call_function(
-    nb::handle self, nb::handle target, nb::handle function, nb::tuple args, nb::handle kwargs, int mode) {
+    nb::handle self, nb::handle target, NativePath* function, const Arguments& arguments, int mode) {
     PySession& session = session_of(self);
     OperationBuilder operation(*session.session_, unreal_service::call_function);
     encode_python(operation, session, target);
-    operation.put_shape(session.function_shape(function, args.size(), kwargs));
-    for (Py_ssize_t i = 0; i < PyTuple_GET_SIZE(args.ptr()); ++i) {
-        encode_python(operation, session, PyTuple_GET_ITEM(args.ptr(), i));
+    operation.put_shape(session.function_shape(*function, arguments));
+    const Py_ssize_t count = arguments.count();
+    for (Py_ssize_t i = 0; i < count; ++i) {
+        encode_python(operation, session, arguments.values[i]);
     }
-    PyObject *name = nullptr, *value = nullptr;
-    Py_ssize_t position = 0;
-    while (PyDict_Next(kwargs.ptr(), &position, &name, &value)) {
-        encode_python(operation, session, value);
-    }
-    return perform(self, operation, mode, true, asked_about(target, function, mode, true));
+    return perform(self, operation, mode, true, asked_about(target, *function, mode, true));
 }
 
-nb::object PySession::get_property(nb::handle self, nb::handle target, nb::handle path, int mode) {
+nb::object PySession::get_property(nb::handle self, nb::handle target, NativePath* path, int mode) {
     PySession& session = session_of(self);
     OperationBuilder operation(*session.session_, unreal_service::get_property);
     encode_python(operation, session, target);
-    operation.put_shape(session.path_shape(path));
-    return perform(self, operation, mode, true, asked_about(target, path, mode, false));
+    operation.put_shape(session.path_shape(*path));
+    return perform(self, operation, mode, true, asked_about(target, *path, mode, false));
 }
 
-nb::object PySession::set_property(nb::handle self, nb::handle target, nb::handle path, nb::handle value, int mode) {
+nb::object PySession::set_property(nb::handle self, nb::handle target, NativePath* path, nb::handle value, int mode) {
     PySession& session = session_of(self);
     OperationBuilder operation(*session.session_, unreal_service::set_property);
     encode_python(operation, session, target);
-    operation.put_shape(session.path_shape(path));
+    operation.put_shape(session.path_shape(*path));
     encode_python(operation, session, value);
     return perform(self, operation, mode, false, {});
 }
@@ -257,8 +276,27 @@ void PySession::close() {
 // Caches
 // -----------------------------------------------------------------------------------------------------------------------
 
-const StructWriter& PySession::writer_for(PyTypeObject* type) {
+std::vector<Py_ssize_t> slot_offsets(PyTypeObject* type, const std::vector<PyObject*>& names) {
+    std::vector<Py_ssize_t> offsets;
+    for (PyObject* const name : names) {
+        const nb::object found = nb::steal(PyObject_GetAttr(reinterpret_cast<PyObject*>(type), name));
+        if (!found.is_valid() || !Py_IS_TYPE(found.ptr(), &PyMemberDescr_Type)) {
+            PyErr_Clear();
+            return {};
+        }
+        const PyMemberDef& member = *as<PyMemberDescrObject>(found.ptr())->d_member;
+        if (member.type != T_OBJECT_EX || member.flags != 0) {
+            return {};
+        }
+        offsets.push_back(member.offset);
+    }
+    return offsets;
+}
+
+const StructWriter& PySession::find_writer(PyTypeObject* type) {
     if (const auto at = writers_.find(type); at != writers_.end()) {
+        last_written_ = type;
+        last_writer_ = &at->second;
         return at->second;
     }
     const nb::handle python_class(reinterpret_cast<PyObject*>(type));
@@ -283,6 +321,7 @@ const StructWriter& PySession::writer_for(PyTypeObject* type) {
         return writers_.emplace(type, std::move(writer))
             .first->second; // nothing is known of it: values go as dictionaries
     }
+    writer.offsets = slot_offsets(type, writer.fields);
     writer.anything = session_->number_of(info);
     if (field_types.size() == writer.fields.size()) {
         for (std::size_t i = 0; i < writer.fields.size(); ++i) {
@@ -294,8 +333,10 @@ const StructWriter& PySession::writer_for(PyTypeObject* type) {
     return writers_.emplace(type, std::move(writer)).first->second;
 }
 
-const StructReader& PySession::struct_reader(TypeId type, const TypeInfo& info) {
+const StructReader& PySession::find_struct_reader(TypeId type, const TypeInfo& info) {
     if (const auto at = readers_.find(type); at != readers_.end()) {
+        last_read_ = type;
+        last_reader_ = &at->second;
         return at->second;
     }
     StructReader reader;
@@ -321,7 +362,10 @@ const StructReader& PySession::struct_reader(TypeId type, const TypeInfo& info) 
         throw_error(
             ErrorCode::InternalError, "spear.structs gave a class with other fields than " + info.name + " has.");
     }
-    writers_.erase(reinterpret_cast<PyTypeObject*>(python_class.ptr())); // the class may have got more fields
+    auto* const type_object = reinterpret_cast<PyTypeObject*>(python_class.ptr());
+    writers_.erase(type_object); // the class may have got more fields
+    last_written_ = nullptr;
+    reader.offsets = slot_offsets(type_object, reader.fields);
     reader.made = nb::object(python_class).release().ptr();
     return readers_.emplace(type, std::move(reader)).first->second;
 }

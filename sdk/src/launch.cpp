@@ -77,13 +77,15 @@ std::string random_token() {
 /// Raises LaunchFailed.
 void write_private(const fs::path& file, const std::string& text) {
     const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
-    const bool written = descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    const bool written =
+        descriptor >= 0 && ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
     const int error = errno;
     if (descriptor >= 0)
         ::close(descriptor);
     if (!written) {
         throw_error(ErrorCode::LaunchFailed,
-            fmt::format("The file {} for the engine's token cannot be written: {}.", file.string(), std::strerror(error)),
+            fmt::format(
+                "The file {} for the engine's token cannot be written: {}.", file.string(), std::strerror(error)),
             "launch");
     }
 }
@@ -113,9 +115,8 @@ std::string describe_status(int status) {
     return fmt::format("status {}", status);
 }
 
-std::vector<std::string> command_line(
-    const LaunchOptions& options, const fs::path& executable, const std::string& address, const fs::path& token_file,
-    const std::string& mark) {
+std::vector<std::string> command_line(const LaunchOptions& options, const fs::path& executable,
+    const std::string& address, const fs::path& token_file, const std::string& mark) {
     std::vector<std::string> line{executable.string()};
     const auto add = [&line](const char* option, std::string value) {
         line.emplace_back(option);
@@ -304,8 +305,7 @@ EngineProcess::EngineProcess(const LaunchOptions& options) : impl_(std::make_sha
         write_private(impl_->token_file, impl_->token);
     }
     impl_->mark = "-SpearLaunch=" + random_token().substr(0, 16);
-    impl_->arguments =
-        command_line(options, impl_->executable, impl_->address, impl_->token_file, impl_->mark);
+    impl_->arguments = command_line(options, impl_->executable, impl_->address, impl_->token_file, impl_->mark);
 
     std::thread(Impl::run, impl_).detach();
     std::unique_lock lock(impl_->mutex);

@@ -169,9 +169,9 @@ Session::Status Session::status(Milliseconds timeout) {
     return impl_->status(lock, timeout);
 }
 
-Session::Statistics Session::statistics(Milliseconds timeout) {
+Session::Statistics Session::statistics(std::optional<Milliseconds> timeout) {
     Impl::Lock lock(impl_->mutex);
-    return impl_->statistics(lock, timeout);
+    return impl_->statistics(lock, timeout.value_or(deadline()));
 }
 
 void Session::set_loss_explainer(LossExplainer explainer) {

@@ -146,8 +146,8 @@ Trace::Trace(std::shared_ptr<Session> session, TraceOptions options) : impl_(std
     try {
         impl_->session = std::move(session);
         impl_->options = std::move(options);
-        impl_->engine = EngineRecording::start(
-            *impl_->session, impl_->options.operations, impl_->options.events_per_thread);
+        impl_->engine =
+            EngineRecording::start(*impl_->session, impl_->options.operations, impl_->options.events_per_thread);
         impl_->own = start_own(impl_->options.operations, impl_->options.events_per_thread);
     } catch (...) {
         is_recording = false;

@@ -181,7 +181,7 @@ void write_flows(Writer& out, const std::vector<RecordedProcess>& processes, std
     }
     std::uint64_t number = 0;
     for (auto& [key, points] : flows) {
-        std::ranges::stable_sort(points, {}, &Point::time);
+        std::ranges::sort(points, {}, [](const Point& point) { return std::pair(point.time, point.kind); });
         const auto next = [&points](std::size_t from, auto&& wanted) {
             return static_cast<std::size_t>(
                 std::find_if(points.begin() + static_cast<std::ptrdiff_t>(from), points.end(), wanted) -
@@ -224,8 +224,8 @@ void write_trace_file(const std::filesystem::path& file, std::vector<RecordedPro
         for (RecordedThread& thread : processes[i].threads) {
             keep_whole_frames(thread);
             // Outer spans before inner ones, as readers like them.
-            std::ranges::stable_sort(thread.events, [](const spear_trace_event& x, const spear_trace_event& y) {
-                return std::tuple(x.begin_ns, y.duration_ns) < std::tuple(y.begin_ns, x.duration_ns);
+            std::ranges::sort(thread.events, [](const spear_trace_event& x, const spear_trace_event& y) {
+                return std::tuple(x.begin_ns, y.duration_ns, x.kind) < std::tuple(y.begin_ns, x.duration_ns, y.kind);
             });
             if (!thread.events.empty()) {
                 base = std::min(base, thread.events.front().begin_ns);
@@ -237,8 +237,8 @@ void write_trace_file(const std::filesystem::path& file, std::vector<RecordedPro
     std::uint64_t dropped = 0;
     for (std::size_t i = 0; i < processes.size(); ++i) {
         const RecordedProcess& process = processes[i];
-        out.event(R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", process.id,
-            json_text(process.name));
+        out.event(
+            R"({{"ph":"M","name":"process_name","pid":{},"args":{{"name":{}}}}})", process.id, json_text(process.name));
         out.event(R"({{"ph":"M","name":"process_sort_index","pid":{},"args":{{"sort_index":{}}}}})", process.id, i);
         for (const RecordedThread& thread : process.threads) {
             out.event(R"({{"ph":"M","name":"thread_name","pid":{},"tid":{},"args":{{"name":{}}}}})", process.id,
@@ -248,8 +248,10 @@ void write_trace_file(const std::filesystem::path& file, std::vector<RecordedPro
         write_threads(out, process, base);
     }
     write_flows(out, processes, base);
-    out.stream() << "\n],\n\"otherData\":{" << fmt::format(R"("clock_base_ns":{},"dropped_events":{})",
-        base == std::numeric_limits<std::uint64_t>::max() ? 0 : base, dropped) << "}}\n";
+    out.stream() << "\n],\n\"otherData\":{"
+                 << fmt::format(R"("clock_base_ns":{},"dropped_events":{})",
+                        base == std::numeric_limits<std::uint64_t>::max() ? 0 : base, dropped)
+                 << "}}\n";
     out.stream().close();
     if (!out.stream()) {
         throw_error(ErrorCode::ConnectionError,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The trace that SPEAR_TRACE in the environment asks for: what sessions tell it. Any thread; nothing without SPEAR_TRACE.
+// The trace that SPEAR_TRACE in the environment asks for: what sessions tell it. Any thread; nothing without
+// SPEAR_TRACE.
 
 #include <memory>
 

@@ -16,7 +16,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from conftest import FIXTURES, Result, compare_with_golden, run_tool
+from header_tool_runs import FIXTURES, Result, compare_with_golden, run_tool
 
 AWKWARD = FIXTURES / "Awkward"
 

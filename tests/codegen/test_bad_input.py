@@ -10,7 +10,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import FIXTURES, Dump, run_tool
+from header_tool_runs import FIXTURES, Dump, run_tool
 
 GOOD = '#include "Good.generated.h"\nUSTRUCT() struct FGood { GENERATED_BODY() UPROPERTY() int32 Value; };\n'
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from conftest import FIXTURES, ROOT, Dump, Result, compare_with_golden, run_tool
+from header_tool_runs import FIXTURES, ROOT, Dump, Result, compare_with_golden, run_tool
 
 SAMPLE = FIXTURES / "Sample"
 GOLDEN = FIXTURES / "Sample.schema.json"

@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, Result, run_tool
+from header_tool_runs import ROOT, Result, run_tool
 
 
 def write_module(folder: Path, name: str, body: str, header: str = "Thing.h") -> None:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from conftest import Dump
+from header_tool_runs import Dump
 
 HEAD = '#pragma once\n#include "UObject/Object.h"\n#include "Test.generated.h"\n'
 

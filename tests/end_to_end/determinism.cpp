@@ -13,7 +13,7 @@ namespace {
 
 using unreal::FTransform;
 
-/// Of each kind: balls that fly and bounce, wheels that turn, and chains of actors attached to both.
+/// Of each kind: balls that fly, wheels that turn, and chains of actors attached to both.
 constexpr int groups = 6;
 
 struct Scene {
@@ -38,7 +38,6 @@ struct Scene {
             const spear::Object ball = spawn(50.0 * i, 0, 200 + 10.0 * i);
             const spear::Object motion = add(ball, "UProjectileMovementComponent");
             const auto speed = random.call<double>("RandomFloatInRange", arg("Min", 50.0), arg("Max", 150.0));
-            motion["bShouldBounce"].set(true);
             motion["bRotationFollowsVelocity"].set(i % 2 == 0);
             motion["Velocity"].set(FVector{speed, 7.0 * i, 300});
             const spear::Object wheel = spawn(50.0 * i, 300, 100);

@@ -28,7 +28,9 @@ int be_child(std::string_view what, const char* address) {
     const bool has_no_lease = what == "hang without a lease";
     const bool has_default_lease = what == "hang idle";
     spear::Instance instance = spear::connect(address,
-        {.client_name = "the child", .lease = has_default_lease ? 0ms : 500ms, .no_lease = has_no_lease});
+        {.client_name = "the child",
+            .lease = has_default_lease ? 0ms : what == "hang" ? 1000ms : 20'000ms,
+            .no_lease = has_no_lease});
     const auto say_ready = [] { [[maybe_unused]] const auto written = ::write(STDOUT_FILENO, "!", 1); };
     const spear::Game game = instance.game();
     const auto hold = [&] { (void)game.find_actors_by_class("AActor"); }; // synchronous: holds the game thread

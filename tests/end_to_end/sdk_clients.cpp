@@ -27,6 +27,12 @@ std::uint32_t sessions_at(const std::string& address) {
     return description.sessions;
 }
 
+struct TicketClient : Client {
+    const spear::Class calls = game.get_class("URoundTripCalls");
+    /// A number that tells in which order the calls of all clients ran.
+    spear::Future<std::int64_t> ticket() { return calls.async<std::int64_t>("Ticket"); }
+};
+
 struct Folder {
     std::filesystem::path path;
     Folder() {
@@ -40,18 +46,15 @@ struct Folder {
 } // namespace
 
 TEST_CASE("several clients: begin works run in order of arrival, end works in the same order, all in one frame") {
-    Client holder, a, b, c;
-    const auto ticket = [](Client& client) {
-        return client.game.get_class("URoundTripCalls").async<std::int64_t>("Ticket");
-    };
+    TicketClient holder, a, b, c;
     auto held = holder.instance.begin_frame();
-    const auto first = ticket(holder);
+    const auto first = holder.ticket();
     first.get(); // holds the engine: the others arrive meanwhile
     std::vector<spear::Future<std::int64_t>> begins{first};
-    const std::vector<Client*> arrivals{&b, &c, &a};
-    for (Client* const client : arrivals) {
+    const std::vector<TicketClient*> arrivals{&b, &c, &a};
+    for (TicketClient* const client : arrivals) {
         auto frame = client->instance.begin_frame();
-        begins.push_back(ticket(*client));
+        begins.push_back(client->ticket());
         frame.execute();
         client->arrive();
     }
@@ -63,13 +66,13 @@ TEST_CASE("several clients: begin works run in order of arrival, end works in th
     std::vector<spear::Future<std::int64_t>> ends(4);
     for (const std::size_t i : {std::size_t{3}, std::size_t{2}, std::size_t{1}}) { // the other way round
         auto frame = arrivals[i - 1]->instance.end_frame();
-        ends[i] = ticket(*arrivals[i - 1]);
+        ends[i] = arrivals[i - 1]->ticket();
         frame.execute();
         arrivals[i - 1]->arrive();
         CHECK_FALSE(ends[i].is_ready());
     }
     auto frame = holder.instance.end_frame();
-    ends[0] = ticket(holder);
+    ends[0] = holder.ticket();
     frame.execute();
     for (std::size_t i = 1; i < ends.size(); ++i)
         CHECK(ends[i].get() == ends[i - 1].get() + 1);
@@ -158,18 +161,15 @@ TEST_CASE("two clients: while one holds the engine by single_step, the other wai
 }
 
 TEST_CASE("two clients: a queued transaction runs in the frame in which the holder goes on") {
-    Client one, two;
+    TicketClient one, two;
     spear::Future<std::int64_t> waiting, next;
     one.transact(nullptr, nullptr, {.single_step = true});
     one.instance.flush();
     CHECK(eventually([&] { return one.instance.session()->status().state == State::held_by_you; }));
-    const auto ticket = [](Client& client) {
-        return client.game.get_class("URoundTripCalls").async<std::int64_t>("Ticket");
-    };
-    two.transact([&] { waiting = ticket(two); });
+    two.transact([&] { waiting = two.ticket(); });
     two.arrive();
     CHECK_FALSE(waiting.wait(50ms));
-    one.transact([&] { next = ticket(one); }, nullptr, {.single_step = true});
+    one.transact([&] { next = one.ticket(); }, nullptr, {.single_step = true});
     CHECK(waiting.get() == next.get() + 1); // its begin work is first, though it arrived later
     CHECK(frame_of(waiting) == frame_of(next));
     one.transact(nullptr);

@@ -215,7 +215,7 @@ TEST_CASE("G8: a failed input fails its dependants, in every position, with the 
         const auto original = original_of([&] { (void)dependant.get(); });
         REQUIRE(original);
         CHECK(original->code == spear::ErrorCode::WrongType);
-        CHECK(original->operation == "EchoVector");
+        CHECK(contains(original->operation, "EchoVector"));
         CHECK(original->argument == "Value");
     }
     CHECK(original_of([&] { chained.get(); })->code == spear::ErrorCode::WrongType); // the first, not the one between

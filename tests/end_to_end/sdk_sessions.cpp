@@ -2,6 +2,7 @@
 // Connecting, versions, closing, engines that end.
 #include <algorithm>
 #include <csignal>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,4 +106,27 @@ TEST_CASE("request_exit ends the engine in good order") {
     const auto exit = instance.process()->describe_exit();
     REQUIRE(exit);
     CHECK(contains(exit->message, "exit code 0"));
+}
+
+TEST_CASE("an engine that is asked to end while a client holds it does so in good order, and the client is told") {
+    for (const bool in_single_step : {false, true}) {
+        CAPTURE(in_single_step);
+        spear::Instance instance = spear::launch(launch_options());
+        const spear::Game game = instance.game();
+        Client other({.deadline = 30s}, instance);
+        std::optional<spear::Frame> frame;
+        if (in_single_step) {
+            instance.step();
+        } else {
+            frame.emplace(instance.begin_frame());
+            (void)game.find_actors_by_class("AActor"); // holds the game thread
+        }
+        other.instance.call(spear::engine_service::request_exit);
+        CHECK(instance.process()->wait(60s));
+        CHECK(contains(instance.process()->describe_exit()->message, "exit code 0"));
+        if (!frame)
+            CHECK_THROWS_AS(frame.emplace(instance.begin_frame()), spear::EngineExited);
+        else
+            CHECK_THROWS_AS((void)game.find_actors_by_class("AActor"), spear::EngineExited);
+    }
 }

@@ -27,10 +27,6 @@ def connect(round_trip: spear.Instance) -> Iterator[Callable[..., spear.Instance
         instance.close()
 
 
-def ticket(client: spear.Instance) -> "spear.Future[int]":
-    return client.get_game().get_class("URoundTripCalls").async_.Ticket()
-
-
 def arrive(client: spear.Instance) -> None:
     """Returns when the server has everything that this client has sent."""
     client.call("engine_service.ping", "")
@@ -39,23 +35,25 @@ def arrive(client: spear.Instance) -> None:
 def test_begin_works_run_in_order_of_arrival_and_end_works_in_the_same(connect: Callable[..., spear.Instance]) -> None:
     holder, a, b = connect(), connect(), connect()
     system = holder.get_game().get_class("UKismetSystemLibrary")
+    # "Ticket" gives a number that tells in which order the calls of all clients ran.
+    calls = {client: client.get_game().get_class("URoundTripCalls").async_ for client in (holder, a, b)}
     others = [b, a]
     with holder.begin_frame():
-        begins = [ticket(holder)]
+        begins = [calls[holder].Ticket()]
         begins[0].get()  # holds the engine: the others arrive meanwhile
         frame = system.GetFrameCount()
         for client in others:
             with client.begin_frame():
-                begins.append(ticket(client))
+                begins.append(calls[client].Ticket())
             arrive(client)
         assert not begins[-1].is_ready()
     ends = []
     for client in reversed(others):
         with client.end_frame():
-            ends.append(ticket(client))
+            ends.append(calls[client].Ticket())
         arrive(client)
     with holder.end_frame():
-        ends.append(ticket(holder))
+        ends.append(calls[holder].Ticket())
         assert system.GetFrameCount() == frame
     first = begins[0].get()
     assert [future.get() for future in begins] == [first, first + 1, first + 2]
@@ -115,8 +113,9 @@ def test_sessions_of_several_threads_at_once(connect: Callable[..., spear.Instan
 
 def test_an_engine_that_runs_no_frames_is_busy(connect: Callable[..., spear.Instance], tmp_path: Path) -> None:
     blocker, client = connect(), connect(deadline=1.5)
+    calls = blocker.get_game().get_class("URoundTripCalls")
     with blocker.begin_frame():
-        blocked = blocker.get_game().get_class("URoundTripCalls").async_.BlockFrames(Folder=str(tmp_path))
+        blocked = calls.async_.BlockFrames(Folder=str(tmp_path))
     with blocker.end_frame():
         pass
     while not (tmp_path / "began").exists():

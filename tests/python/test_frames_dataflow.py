@@ -122,7 +122,7 @@ def test_g8_a_failed_input_fails_its_dependants_in_every_position(client: spear.
         with pytest.raises(spear.DependencyFailed) as caught:
             dependant.get()
         original = caught.value.__cause__
-        assert isinstance(original, spear.WrongType) and original.operation == "EchoVector" and original.argument == "Value"
+        assert isinstance(original, spear.WrongType) and original.operation == "URoundTrip::EchoVector" and original.argument == "Value"
     assert fine.get() == 3
 
 
@@ -137,7 +137,7 @@ def test_g8_an_all_asynchronous_block_is_one_message_each_way_whatever_its_size(
         now = settled(client)
         assert now.sent.messages - last.sent.messages == 2, operations
         assert now.received.messages - last.received.messages == 2, operations
-        assert now.sent.bytes - last.sent.bytes > 20 * operations
+        assert now.sent.bytes - last.sent.bytes >= 20 * operations
         assert [future.get() for future in futures[-3:]] == list(range(operations))[-3:]
         last = now
     with client.begin_frame():

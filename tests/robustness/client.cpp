@@ -2,9 +2,9 @@
 // robustness-client STATE ADDRESS | STATE --launch ENGINE [ARGUMENT...]: a client that goes into one state of a
 // transaction, says so ("ready ADDRESS PROCESS" on standard output), and is killed there or stopped, or has its engine
 // taken away. Some states need others to do something first: they say "connected ..." and wait for a line on standard
-// input. States that wait for a line when they are ready go on after it; then, and when the call that a state is blocked
-// in returns, the outcome is one line of JSON: {"error": name or "", "message": ...}. Lease and deadline in milliseconds
-// come from SPEAR_TEST_LEASE and SPEAR_TEST_DEADLINE. client.py is the same in Python.
+// input. States that wait for a line when they are ready go on after it; then, and when the call that a state is
+// blocked in returns, the outcome is one line of JSON: {"error": name or "", "message": ...}. Lease and deadline in
+// milliseconds come from SPEAR_TEST_LEASE and SPEAR_TEST_DEADLINE. client.py is the same in Python.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -90,9 +90,9 @@ public:
 
     spear::Instance instance;
     spear::Game game;
-    spear::Object bench;  ///< a USpearBench
-    spear::Class frames;  ///< USpearBenchFrames
-    spear::Class system;  ///< UKismetSystemLibrary
+    spear::Object bench; ///< a USpearBench
+    spear::Class frames; ///< USpearBenchFrames
+    spear::Class system; ///< UKismetSystemLibrary
 
     FVector move() const { return bench.call<FVector>("Move", FVector{1, 0, 0}); }
     spear::Future<FVector> move_later() const { return bench.async<FVector>("Move", FVector{1, 0, 0}); }
@@ -321,8 +321,8 @@ const std::map<std::string, std::function<void(Run&)>>& states() {
                 }
                 for (int round = 0; round < 4000 && run.instance.session()->is_open(); ++round) {
                     const std::size_t words[] = {128, 136, 256, 384, 392, 512, 640, 644, 648, 768, 896, 1024};
-                    const std::size_t at = random() % 3 == 0 ? 4096 + random() % (region.size - 4096)
-                                                              : words[random() % std::size(words)];
+                    const std::size_t at =
+                        random() % 3 == 0 ? 4096 + random() % (region.size - 4096) : words[random() % std::size(words)];
                     std::uint64_t value = random() % 2 != 0 ? random() : random() % 1024;
                     auto* word = reinterpret_cast<std::uint64_t*>(region.data + at / 8 * 8);
                     if (random() % 2 != 0) {

@@ -4,9 +4,7 @@
 from __future__ import annotations
 
 import contextlib
-import mmap
 import os
-import struct
 import subprocess
 import sys
 import tempfile
@@ -20,47 +18,16 @@ os.environ.setdefault("SPEAR_BUILD_DIR", str(BUILD))
 if str(BUILD / "python") not in sys.path:
     sys.path.insert(0, str(BUILD / "python"))
 
+from spear.cli.frame_log import FrameLog  # noqa: E402
+
 PLUGINS = ["--plugin-dir", str(BUILD / "bench_plugins"), "--plugin-dir", str(BUILD / "test_plugins")]
 """Arguments with which an engine finds SpearBench and RoundTrip."""
 
+ENGINE = os.environ.get("SPEAR_TEST_ENGINE", str(BUILD / "bin" / "spear-engine"))
+"""The engine: another one, for instance with sanitizers, by the environment variable SPEAR_TEST_ENGINE."""
+
 PATIENCE = 60.0
 """Seconds after which something that must happen is taken not to happen at all: the tests' only use of the clock."""
-
-
-class FrameLog:
-    """The log that the plugin SpearBench writes: when each frame began, by the monotonic clock. Layout: SpearBenchFrames.h."""
-
-    ENTRIES = 1 << 16
-
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self._map: mmap.mmap | None = None
-
-    def count(self) -> int:
-        """Frames finished so far."""
-        if self._map is None:
-            if not self._path.exists() or self._path.stat().st_size < 32 + 32 * self.ENTRIES:
-                return 0
-            with self._path.open("rb") as file:
-                self._map = mmap.mmap(file.fileno(), 0, prot=mmap.PROT_READ)
-        return int(struct.unpack_from("<Q", self._map, 0)[0])
-
-    def entry(self, number: int) -> tuple[int, int, int, int]:
-        """Of the frame noted as that number: the engine's frame counter, began, ended, pause over; nanoseconds of time.monotonic_ns()."""
-        self.count()
-        assert self._map is not None
-        frame, began, ended, ticked = struct.unpack_from("<Qqqq", self._map, 32 + 32 * (number % self.ENTRIES))
-        return frame, began, ended, ticked
-
-    def began(self, first: int) -> list[int]:
-        """When the finished frames from that number on began."""
-        count = self.count()
-        return [self.entry(number)[1] for number in range(max(first, count - self.ENTRIES + 8), count)]
-
-    def close(self) -> None:
-        if self._map is not None:
-            self._map.close()
-            self._map = None
 
 
 class Engine:
@@ -76,8 +43,8 @@ class Engine:
         self.output = self.folder / "engine.log"
         self._files = self.output.open("w")
         self.process = subprocess.Popen(
-            [*(wrapper or []), str(BUILD / "bin" / "spear-engine"), "--fps", str(fps), "--fixed-dt", "0.01", *PLUGINS, *(arguments or []),
-             f"-SpearBenchFrameLog={self.folder}/frames", f"-SpearAddress={self.address}"],
+            [*(wrapper or []), ENGINE, "--fps", str(fps), "--fixed-dt", "0.01", *PLUGINS, *(arguments or []),
+             FrameLog.argument(self.folder / "frames"), f"-SpearAddress={self.address}"],
             stdin=subprocess.DEVNULL, stdout=self._files, stderr=self._files, env={**os.environ, "XDG_RUNTIME_DIR": str(self.runtime), **(environment or {})},
         )
         try:
@@ -110,6 +77,11 @@ class Engine:
         folder = Path(f"/proc/{self.pid}")
         mapped = sum("/dev/shm/spear-" in line for line in (folder / "maps").read_text().splitlines())
         return len(os.listdir(folder / "fd")), len(os.listdir(folder / "task")), mapped
+
+    def memory_mb(self) -> float:
+        """Its resident memory."""
+        lines = Path(f"/proc/{self.pid}/status").read_text().splitlines()
+        return next(int(line.split()[1]) for line in lines if line.startswith("VmRSS")) / 1024
 
     def stop(self) -> None:
         """Ends it in good order, or not."""

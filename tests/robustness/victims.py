@@ -16,9 +16,13 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from engine import BUILD, PATIENCE, PLUGINS, Engine
+from engine import BUILD, ENGINE, PATIENCE, PLUGINS, Engine
 
 HERE = Path(__file__).resolve().parent
+
+
+class NotReached(AssertionError):
+    """A client did not come into its state."""
 
 
 @dataclass(frozen=True)
@@ -170,7 +174,7 @@ class Victim:
         if kind.endswith("-nospin"):
             environment["SPEAR_SPIN"] = "off"
         program = [str(BUILD / "bin" / "robustness-client")] if kind.startswith("cpp") else [sys.executable, str(HERE / "client.py")]
-        where = ["--launch", str(BUILD / "bin" / "spear-engine"), *PLUGINS] if launch else [self.proxy.address if self.proxy else engine.address]  # type: ignore[union-attr]
+        where = ["--launch", ENGINE, *PLUGINS] if launch else [self.proxy.address if self.proxy else engine.address]  # type: ignore[union-attr]
         name = "idle" if state.name.startswith("connect_") else state.name
         self.process = subprocess.Popen([*program, name, *where], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, text=True, bufsize=1)
         self.address = ""
@@ -204,7 +208,8 @@ class Victim:
                 self.proxy.hold()
             self.say("go")
             words = self.line().split()
-        assert words and words[0] == "ready", f"{self.state.name} ({self.kind}) said {words}"
+        if not words or words[0] != "ready":
+            raise NotReached(f"{self.state.name} ({self.kind}) said {words}")
         self.address, self.engine_pid = words[1], int(words[2])
         if self.state.proxy:
             assert self.proxy and self.proxy.held.wait(PATIENCE)

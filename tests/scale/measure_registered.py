@@ -204,11 +204,13 @@ def callable_functions(class_: Json) -> list[str]:
 
 def calls_of_code_base(game: Any, schema: Json) -> dict[str, float]:
     """Calls among thousands of functions: one again and again, and the first call of each."""
+    from spear.codegen.names import python_name
+
     firsts: list[float] = []
     spawns: list[float] = []
     actors = []
     for class_ in schema["classes"]:
-        names = callable_functions(class_)
+        names = [python_name(name) for name in callable_functions(class_) if not name.endswith("_")]  # those need the stubs of the code base
         if not class_["name"].startswith("A") or {"Abstract", "Interface", "Deprecated"} & set(class_["flags"]) or not names:
             continue
         started = time.perf_counter()

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from conftest import Command, Dump, load
+from schema_commands import Command, Dump, load
 
 GAME = "UENUM() enum class EMode : uint8 { Slow, Fast };\nUSTRUCT() struct FPair { GENERATED_BODY() UPROPERTY() int32 A; UPROPERTY() int32 B; };\nUCLASS() class UGame : public UObject { GENERATED_BODY() public: UPROPERTY() EMode Mode; UFUNCTION() void Go(int32 A, FPair B); };"
 

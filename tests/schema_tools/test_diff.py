@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import Command, Dump
+from schema_commands import Command, Dump
 
 CLASS = """
 UCLASS()

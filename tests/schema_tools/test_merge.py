@@ -8,7 +8,7 @@ from pathlib import Path
 
 import helpers
 import pytest
-from conftest import Command, Dump, load
+from schema_commands import Command, Dump, load
 
 GAME = "UCLASS() class UGame : public UObject { GENERATED_BODY() public: /** Speed in cm/s. */ UPROPERTY(EditAnywhere) float Speed = 3.f; UFUNCTION() void Go(int32 Amount = 2); };"
 

@@ -156,7 +156,8 @@ TEST_CASE("a server that cannot listen says why") {
     REQUIRE(first.server);
     has(Server(first.address()).text(), "port " + first.port() + " is in use");
     has(Server("tcp://" + no_host + ":0", "token").text(), "is not known");
-    has(Server("tcp://192.0.2.1:0", "token").text(), "none of this machine's addresses"); // an address for documentation
+    has(Server("tcp://192.0.2.1:0", "token").text(),
+        "none of this machine's addresses"); // an address for documentation
     const Folder folder;
     std::ofstream(folder.path / "file") << "no socket";
     has(Server("unix:" + (folder.path / "file").string()).text(), "no socket");
@@ -189,8 +190,8 @@ TEST_CASE("running engines are listed whatever they listen at; entries of killed
     };
     const auto dead = entry("engine-999999999.json", R"({"address":"unix:/dead","pid":999999999})");
     // This process's number, begun at another time: an engine had the number before.
-    const auto reused = entry("engine-reused.json",
-        R"({"address":"unix:/reused","pid":)" + std::to_string(::getpid()) + R"(,"started":1})");
+    const auto reused = entry(
+        "engine-reused.json", R"({"address":"unix:/reused","pid":)" + std::to_string(::getpid()) + R"(,"started":1})");
     entry("engine-broken.json", "{");
     {
         const Server server("tcp://127.0.0.1:0", {}, folder.path.string());

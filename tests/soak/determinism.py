@@ -31,7 +31,7 @@ BUILD = Path(os.environ.get("SPEAR_BUILD_DIR", Path(__file__).resolve().parents[
 
 
 def build_scene(game: spear.Game) -> list[spear.UnrealObject]:
-    """Balls that fly and bounce, wheels that turn, and chains of actors attached to both: as in tests/end_to_end/determinism.cpp."""
+    """Balls that fly, wheels that turn, and chains of actors attached to both: as in tests/end_to_end/determinism.cpp."""
     random = game.get_class("UKismetMathLibrary")
     actors: list[spear.UnrealObject] = []
 
@@ -46,7 +46,6 @@ def build_scene(game: spear.Game) -> list[spear.UnrealObject]:
         ball = spawn(50.0 * i, 0, 200 + 10.0 * i)
         motion = add(ball, "UProjectileMovementComponent")
         speed = random.RandomFloatInRange(Min=50.0, Max=150.0)
-        motion.set("bShouldBounce", True)
         motion.set("bRotationFollowsVelocity", i % 2 == 0)
         motion.set("Velocity", spear.FVector(speed, 7.0 * i, 300))
         wheel = spawn(50.0 * i, 300, 100)

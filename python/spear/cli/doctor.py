@@ -37,7 +37,7 @@ def doctor() -> None:
         size = shutil.disk_usage("/dev/shm")
         report(
             "shared memory", size.free >= 64 << 20,
-            f"/dev/shm has {size.free >> 20} of {size.total >> 20} MB free" + ("" if size.free >= 64 << 20 else "; without some, sessions go by RPC, which is slower"),
+            f"/dev/shm has {size.free >> 20} of {size.total >> 20} MB free" + ("" if size.free >= 64 << 20 else "; without it, sessions go by RPC, slower"),
             needed=False,
         )
     except OSError as error:

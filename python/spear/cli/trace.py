@@ -68,8 +68,12 @@ def _record_engine(output: Path, address: str, token: str, seconds: float, opera
     import spear
 
     with spear.connect(address, token=token) as instance, instance.trace(output, operations=operations):
+        first = instance.call("engine_service.get_frame_number")
         try:
             time.sleep(seconds)
+            patience = time.monotonic() + 30
+            while instance.call("engine_service.get_frame_number") < first + 3 and time.monotonic() < patience:
+                time.sleep(0.01)  # a slow engine: at least one whole frame shall be in the trace, unless somebody holds it
         except KeyboardInterrupt:
             click.echo("Ended early.", err=True)
 

@@ -140,12 +140,13 @@ public:
         Traffic received;        ///< by this client
         Traffic server_received; ///< by the server, from this client
         Traffic server_sent;     ///< by the server, to this client
-        /// Results that the engine keeps, as of its last batch or release, because futures of this session name them. The server hears of dropped futures with the
-        /// next message.
+        /// Results that the engine keeps because futures of this session name them, as of its last batch or release. It
+        /// hears of dropped futures with the next message.
         std::uint64_t kept_results = 0;
     };
-    /// Asks the server thread: also answered while the engine is held. Raises Disconnected, DeadlineExceeded.
-    Statistics statistics(Milliseconds timeout = Milliseconds(2000));
+    /// Asks the server thread: also answered while the engine is held. Raises Disconnected, DeadlineExceeded (default:
+    /// the session's deadline).
+    Statistics statistics(std::optional<Milliseconds> timeout = {});
 
     /// Called when the connection was lost, before an error says so, to explain it better (the launcher knows exit code
     /// and log of its engine). Runs on the thread that raises.

@@ -9,6 +9,7 @@
 #include <arpa/inet.h>
 #include <netdb.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -185,6 +186,9 @@ int listen_tcp(Address& address, spear_wire_error* error) {
     for (const addrinfo* at = found; at && socket < 0; at = at->ai_next) {
         socket = ::socket(at->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
         const int one = 1;
+        if (socket >= 0) { // accepted connections inherit it: an answer never waits for more to send
+            ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &one, sizeof(one));
+        }
         if (socket >= 0 && (::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &one, sizeof(one)) != 0 ||
                                ::bind(socket, at->ai_addr, at->ai_addrlen) != 0 || ::listen(socket, 64) != 0)) {
             const int reason = errno;

@@ -141,8 +141,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
     kj::Own<kj::PromiseFulfiller<void>> finish;
     kj::TaskSet* tasks = nullptr;
     std::uint32_t lease_ms = 0;
-    bool ended = false;   // `lost` was told, or the session was closed
-    bool flushes = false; // a flush() of the channel is due
+    bool ended = false;            // `lost` was told, or the session was closed
+    bool flushes = false;          // a flush() of the channel is due
     TrafficCounter sent, received; // by RPC
 
     bool post(std::function<void()> work) {
@@ -302,6 +302,7 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             io = &context;
             const kj::TimePoint deadline = context.provider->getTimer().now() + connect_timeout_ms * kj::MILLISECONDS;
             auto connection = open_connection(context, address, deadline, max_message_bytes);
+            KJ_DEFER(session = nullptr); // before the connection it belongs to, also if no session comes of it
             if (!greet(context, *connection, deadline)) {
                 return;
             }
@@ -331,7 +332,6 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
         LoopQueue own_queue(*context.lowLevelProvider);
         auto done = kj::newPromiseAndFulfiller<void>();
         finish = kj::mv(done.fulfiller);
-        KJ_DEFER(session = nullptr); // before the connection it belongs to
         {
             kj::TaskSet own_tasks(*this);
             tasks = &own_tasks;
@@ -342,8 +342,8 @@ struct spear_client final : private kj::TaskSet::ErrorHandler {
             }
             if (channel) {
                 own_tasks.add(attend());
-                own_tasks.add(live_session().endedRequest().send().ignoreResult());
             }
+            own_tasks.add(live_session().endedRequest().send().ignoreResult()); // told at once, not at the next renewal
             {
                 const std::lock_guard lock(mutex);
                 queue = &own_queue;

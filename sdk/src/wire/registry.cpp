@@ -76,7 +76,8 @@ RegistryEntry::RegistryEntry(const std::string& directory, const std::string& ad
     const std::string file = home + "/engine-" + std::to_string(::getpid()) + ".json";
     const std::string unfinished = file + ".new";
     std::ofstream out(unfinished);
-    out << nlohmann::json{{"address", address}, {"pid", ::getpid()}, {"started", start_time_of(::getpid())}}.dump() << '\n';
+    out << nlohmann::json{{"address", address}, {"pid", ::getpid()}, {"started", start_time_of(::getpid())}}.dump()
+        << '\n';
     out.close();
     if (out && std::rename(unfinished.c_str(), file.c_str()) == 0) {
         file_ = file;

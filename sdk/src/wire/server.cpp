@@ -78,6 +78,7 @@ struct SessionState {
     bool has_channel = false;
     TrafficCounter received, sent; // by RPC
     std::vector<kj::Own<kj::PromiseFulfiller<void>>> told_of_end;
+    kj::Promise<void> lease_watch = nullptr; // goes with the session, so that no timer outlives it
 };
 
 /// The capability that a client holds. It may outlive its session: then every call fails.
@@ -164,6 +165,7 @@ private:
         kj::Own<kj::AsyncIoStream> stream;
         capnp::TwoPartyVatNetwork network;
         capnp::RpcSystem<capnp::rpc::twoparty::VatId> rpc;
+        kj::Promise<void> watch = nullptr; // goes with the connection, so that no timer outlives it
         Connection(kj::Own<kj::AsyncIoStream> s, capnp::ReaderOptions reader, capnp::Capability::Client bootstrap)
             : stream(kj::mv(s)), network(*stream, capnp::rpc::twoparty::Side::SERVER, reader),
               rpc(capnp::makeRpcServer(network, kj::mv(bootstrap))) {}
@@ -214,7 +216,7 @@ kj::Promise<void> ServerLoop::accept() {
             tasks_.add(connection->network.onDisconnect().then([this, number] { drop_connection(number); },
                 [this, number](kj::Exception&&) { drop_connection(number); }));
             connections_.emplace(number, kj::mv(connection));
-            tasks_.add(watch_connection(number));
+            connections_.find(number)->second->watch = watch_connection(number).eagerlyEvaluate(nullptr);
         }
         return accept();
     });
@@ -224,18 +226,20 @@ kj::Promise<void> ServerLoop::accept() {
 /// closed, takes no place from others.
 kj::Promise<void> ServerLoop::watch_connection(std::uint64_t connection) {
     const std::uint32_t patience = std::max(4 * options_.default_lease_ms, 1000u);
-    return io_.provider->getTimer().afterDelay(patience * kj::MILLISECONDS).then([this, connection]() -> kj::Promise<void> {
-        const bool has_session = std::any_of(sessions_.begin(), sessions_.end(),
-            [&](const auto& one) { return one.second.connection == connection; });
-        if (connections_.count(connection) == 0) {
+    return io_.provider->getTimer()
+        .afterDelay(patience * kj::MILLISECONDS)
+        .then([this, connection]() -> kj::Promise<void> {
+            const bool has_session = std::any_of(sessions_.begin(), sessions_.end(),
+                [&](const auto& one) { return one.second.connection == connection; });
+            if (connections_.count(connection) == 0) {
+                return kj::READY_NOW;
+            }
+            if (has_session) {
+                return watch_connection(connection);
+            }
+            drop_connection(connection);
             return kj::READY_NOW;
-        }
-        if (has_session) {
-            return watch_connection(connection);
-        }
-        drop_connection(connection);
-        return kj::READY_NOW;
-    });
+        });
 }
 
 void ServerLoop::drop_connection(std::uint64_t connection) {
@@ -312,7 +316,7 @@ void ServerLoop::connect(std::uint64_t connection, ConnectContext context) {
     state.last_sign = io_.provider->getTimer().now();
     channels_.set_session_count(sessions_.size());
     if (lease != SPEAR_LEASE_OFF) {
-        tasks_.add(watch_lease(id));
+        state.lease_watch = watch_lease(id).eagerlyEvaluate(nullptr);
     }
     welcome.setSessionId(id);
     welcome.setLeaseMs(lease);
@@ -327,9 +331,11 @@ kj::Promise<void> ServerLoop::watch_lease(std::uint64_t id) {
     auto& timer = io_.provider->getTimer();
     const kj::TimePoint ends = at->second.last_sign + at->second.lease_ms * kj::MILLISECONDS;
     if (timer.now() >= ends) {
-        const std::uint64_t connection = at->second.connection;
-        end_session(id, "the lease expired: the client gave no sign of life");
-        drop_connection(connection);
+        // Not now: this runs in a promise that goes with the session.
+        tasks_.add(kj::evalLater([this, id, connection = at->second.connection] {
+            end_session(id, "the lease expired: the client gave no sign of life");
+            drop_connection(connection);
+        }));
         return kj::READY_NOW;
     }
     return timer.atTime(ends).then([this, id] { return watch_lease(id); });

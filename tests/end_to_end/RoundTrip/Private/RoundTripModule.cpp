@@ -12,6 +12,7 @@
 #include "UObject/UObjectGlobals.h"
 
 #include <dlfcn.h>
+#include <malloc.h>
 
 void URoundTrip::CallListener(int32 Number) {
     if (UObject* Listener = InterfaceValue.GetObject()) {
@@ -51,6 +52,11 @@ DEFINE_FUNCTION(URoundTripCalls::execThunked) {
 }
 
 void URoundTripCalls::CollectNow() { CollectGarbage(GARBAGE_COLLECTION_KEEPFLAGS); }
+
+int64 URoundTripCalls::AllocatedBytes() {
+    const struct mallinfo2 Info = mallinfo2();
+    return static_cast<int64>(Info.uordblks + Info.hblkhd);
+}
 
 int64 URoundTripCalls::Ticket() {
     static int64 Last = 0;

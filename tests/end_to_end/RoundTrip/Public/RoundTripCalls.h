@@ -46,6 +46,9 @@ public:
     /** Collects garbage now, in the middle of a call. */
     UFUNCTION()
     static void CollectNow();
+    /** What the C library's allocator has given out to this process. */
+    UFUNCTION()
+    static int64 AllocatedBytes();
     UFUNCTION()
     TArray<uint8> Bytes(int64 Count);
     /** 1, 2, 3, ...: tells in which order calls of all clients run. */

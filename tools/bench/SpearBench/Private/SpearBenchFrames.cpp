@@ -23,8 +23,7 @@ int64 USpearBenchFrames::Frame() { return static_cast<int64>(GFrameCounter); }
 
 void USpearBenchFrames::Work(double Milliseconds) {
     const double Ends = FPlatformTime::Seconds() + Milliseconds * 1e-3;
-    while (FPlatformTime::Seconds() < Ends) {
-    }
+    while (FPlatformTime::Seconds() < Ends) {}
 }
 
 ASpearBenchLoad::ASpearBenchLoad() { PrimaryActorTick.bCanEverTick = true; }
@@ -56,7 +55,8 @@ public:
             Log = Mapped != MAP_FAILED ? static_cast<FSpearFrameLog*>(Mapped) : nullptr;
         }
         if (!Log) {
-            UE_LOG(LogSpearBench, Error, TEXT("There is no frame log: '%s': %s"), *Path, UTF8_TO_TCHAR(strerror(errno)));
+            UE_LOG(
+                LogSpearBench, Error, TEXT("There is no frame log: '%s': %s"), *Path, UTF8_TO_TCHAR(strerror(errno)));
         } else {
             BeginHandle = FCoreDelegates::OnBeginFrame.AddRaw(this, &FSpearBenchModule::OnBeginFrame);
             EndHandle = FCoreDelegates::OnEndFrame.AddRaw(this, &FSpearBenchModule::OnEndFrame);

@@ -19,7 +19,8 @@ namespace {
 /// Events of one part: what a message carries without trouble.
 constexpr std::size_t EventsOfPart = 16384;
 
-/// The recording that was started last. Entry points of the server thread run on other threads too (spear_wire.h, submit).
+/// The recording that was started last. Entry points of the server thread run on other threads too (spear_wire.h,
+/// submit).
 struct FRecording {
     std::mutex Mutex;
     uint64 Number = 0;            // under Mutex
@@ -75,24 +76,25 @@ spear::TracePart ReadPart(const spear_trace* Trace, uint64 Wanted) {
 void BindTraceService() {
     namespace service = spear::trace_service;
 
-    Bind(service::start, [](FOperation&, bool bOperations, std::uint64_t EventsPerThread) -> TSpearResult<std::uint64_t> {
-        if (EventsPerThread == 0 || EventsPerThread > spear::limits::max_trace_events) {
-            return MakeError(ErrorCode::LimitExceeded,
-                "a recording of " + std::to_string(EventsPerThread) +
-                    " events per thread is not possible: 1 to limits::max_trace_events = " +
-                    std::to_string(spear::limits::max_trace_events),
-                "events_per_thread");
-        }
-        FRecording& Recording = GetRecording();
-        const std::lock_guard Lock(Recording.Mutex);
-        Recording.Forget();
-        Recording.Number = spear_trace_start(
-            bOperations ? SPEAR_TRACE_OPERATIONS : SPEAR_TRACE_ON, static_cast<std::size_t>(EventsPerThread));
-        if (Recording.Number == 0) {
-            return MakeError(ErrorCode::LimitExceeded, "the engine has no memory for a recording");
-        }
-        return std::uint64_t{Recording.Number};
-    });
+    Bind(service::start,
+        [](FOperation&, bool bOperations, std::uint64_t EventsPerThread) -> TSpearResult<std::uint64_t> {
+            if (EventsPerThread == 0 || EventsPerThread > spear::limits::max_trace_events) {
+                return MakeError(ErrorCode::LimitExceeded,
+                    "a recording of " + std::to_string(EventsPerThread) +
+                        " events per thread is not possible: 1 to limits::max_trace_events = " +
+                        std::to_string(spear::limits::max_trace_events),
+                    "events_per_thread");
+            }
+            FRecording& Recording = GetRecording();
+            const std::lock_guard Lock(Recording.Mutex);
+            Recording.Forget();
+            Recording.Number = spear_trace_start(
+                bOperations ? SPEAR_TRACE_OPERATIONS : SPEAR_TRACE_ON, static_cast<std::size_t>(EventsPerThread));
+            if (Recording.Number == 0) {
+                return MakeError(ErrorCode::LimitExceeded, "the engine has no memory for a recording");
+            }
+            return std::uint64_t{Recording.Number};
+        });
 
     Bind(service::stop, [](FOperation&, std::uint64_t Number, std::uint64_t Part) -> TSpearResult<spear::TracePart> {
         FRecording& Recording = GetRecording();
@@ -113,7 +115,8 @@ void BindTraceService() {
         return Found;
     });
 
-    Bind(service::get_clock, [](FOperation&) -> TSpearResult<std::uint64_t> { return std::uint64_t{spear_trace_now()}; });
+    Bind(service::get_clock,
+        [](FOperation&) -> TSpearResult<std::uint64_t> { return std::uint64_t{spear_trace_now()}; });
 }
 
 } // namespace SpearServer
