@@ -40,9 +40,6 @@ void Session::Impl::take_answers() {
         return;
     }
     bool any = is_calling && take_call(false);
-    if (!late.empty()) {
-        forget_dropped_late();
-    }
     try {
         std::uint64_t request = 0;
         spear_answers answers{};

@@ -71,9 +71,11 @@ void Session::Impl::add_use(OperationState& state) noexcept {
 }
 
 void Session::Impl::drop_use(OperationState& state) {
+    OperationSlab& slab = *state.slab;
     --state.uses;
-    --state.slab->uses;
-    reuse_if_unneeded(*state.slab);
+    --slab.uses;
+    slab.dropped_seen = ~0u; // what was dropped before may be released now
+    reuse_if_unneeded(slab);
 }
 
 // Slabs
@@ -200,6 +202,9 @@ void Session::Impl::release_results_of(OperationSlab& slab) {
 
 /// Of operations whose neighbours are still in use.
 void Session::Impl::release_dropped_results() {
+    if (!late.empty()) {
+        forget_dropped_late();
+    }
     for (std::size_t looks = 0; looks < looks_at_once && looks < held_slabs.size(); ++looks) {
         OperationSlab& slab = *held_slabs[next_held++ % held_slabs.size()];
         const std::uint32_t dropped = slab.dropped.load(std::memory_order_acquire);

@@ -50,7 +50,7 @@ TEST_CASE("calls: other types of argument for the same function are converted or
         try {
             call();
         } catch (const spear::Error& error) {
-            return error.code() == code && std::string(error.what()).find("EchoInt32") != std::string::npos;
+            return error.code() == code && error.info().operation.find("EchoInt32") != std::string::npos;
         }
         return false;
     };

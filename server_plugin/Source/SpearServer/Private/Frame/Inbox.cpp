@@ -379,7 +379,7 @@ bool FInbox::FinishTransaction(uint64 Session, std::vector<FBatch>& NotRun) {
 
 /// The operations of a message become those of a batch.
 void FInbox::TakeOperations(FEntry& Entry, FBatch& Batch, const spear_batch& Message) {
-    if (!Entry.SpareOperations.empty()) {
+    if (!Entry.SpareOperations.empty() && Message.operations.size != 0) {
         Batch.Operations = std::move(Entry.SpareOperations.back());
         Entry.SpareOperations.pop_back();
     }
@@ -396,7 +396,8 @@ void FInbox::NoteRun(FBatch& Batch) {
         NewsCount += !Entry->Releases.empty(); // they may be ready now
         constexpr std::size_t MostSpare = 8;
         constexpr std::size_t LargestSpare = 1u << 20;
-        if (Entry->SpareOperations.size() < MostSpare && Batch.Operations.capacity() <= LargestSpare) {
+        const std::size_t Capacity = Batch.Operations.capacity();
+        if (Entry->SpareOperations.size() < MostSpare && Capacity != 0 && Capacity <= LargestSpare) {
             Batch.Operations.clear();
             Entry->SpareOperations.push_back(std::move(Batch.Operations));
         }
