@@ -136,7 +136,7 @@ nb::object PySession::perform(
     nb::handle self, OperationBuilder& operation, int mode, bool has_result, const Asked& asked) {
     mode &= ~raw_mode;
     if (mode == sync_mode) {
-        const RawResult result = waited_for([&] { return operation.call(); });
+        const RawResult result = waited_for([&](BeforeSleep notice) { return operation.call_here({}, notice); });
         return has_result ? decode_result(result, self, asked) : nb::none();
     }
     if (mode == async_mode) {

@@ -147,7 +147,8 @@ private:
 
 inline PySession& session_of(nb::handle self) { return *nb::inst_ptr<PySession>(self); }
 
-/// Gives up Python's lock when told; takes it again when this goes.
+/// Python's lock, given up when an operation is about to sleep and not before: answers that come within the spin cost
+/// no hand-over, and no thread of Python waits for a sleeping one. Taken again when this goes.
 class LateUnlock {
 public:
     LateUnlock() = default;
@@ -168,20 +169,16 @@ private:
     PyThreadState* saved_ = nullptr;
 };
 
-/// What `wait` gives, which may wait for the engine.
+/// What `wait` gives, which may wait for the engine; it gets what it must tell the SDK.
 template <typename F>
 RawResult waited_for(F&& wait) {
     LateUnlock lock;
-    lock.unlock();
-    return wait();
+    return wait(BeforeSleep{[](void* user) { static_cast<LateUnlock*>(user)->unlock(); }, &lock});
 }
 
 /// Waits for a result; one that is there costs no hand-over of Python's lock.
 inline RawResult result_of(const OperationHandle& operation, std::optional<Milliseconds> deadline) {
-    if (operation.is_ready()) {
-        return operation.get(deadline);
-    }
-    return waited_for([&] { return operation.get(deadline); });
+    return waited_for([&](BeforeSleep notice) { return operation.get(deadline, notice); });
 }
 
 // encode.cpp: appends a Python value as an argument. Raises TypeError, OverflowError for what has no place on the wire.

@@ -62,7 +62,7 @@ void Property::put_owner(OperationBuilder& operation) const {
     if (owner_future_.valid()) {
         operation.put_future(owner_future_);
     } else {
-        Codec<ObjectRef>::encode(operation.out(), owner_.ref());
+        encode_handle(operation.out(), owner_.ref());
     }
     operation.put_shape(operation.session().path_shape(path_));
 }

@@ -1,18 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "spear/operation.hpp"
 
-#include <new>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "session_impl.hpp"
+#include "spear_trace.h"
 
 namespace spear {
 namespace {
 
-/// Buffers of builders that are gone: an operation costs no allocation once a thread has warmed up.
-thread_local std::vector<ByteBuffer> spare_buffers;
+/// Buffers of builders that are gone: an operation costs no allocation once a thread has warmed up. In two parts, as what
+/// has a destructor is slow to reach.
+struct SpareBuffers {
+    static constexpr std::size_t most = 8;
+    std::array<ByteBuffer, most> buffers;
+    std::size_t count = 0;
+    SpareBuffers();
+    ~SpareBuffers();
+};
+constinit thread_local SpareBuffers* spare_buffers = nullptr;
+constinit thread_local bool spare_buffers_are_gone = false;
+SpareBuffers::SpareBuffers() { spare_buffers = this; }
+SpareBuffers::~SpareBuffers() {
+    spare_buffers = nullptr;
+    spare_buffers_are_gone = true; // a builder in the destructor of another of the thread's objects
+}
+void make_spare_buffers() {
+    if (!spare_buffers_are_gone) {
+        thread_local SpareBuffers buffers;
+        static_cast<void>(buffers);
+    }
+}
 constexpr std::size_t largest_spare_buffer = 1u << 20;
 
 [[noreturn]] void throw_invalid_future(std::string_view what) {
@@ -23,114 +44,40 @@ constexpr std::size_t largest_spare_buffer = 1u << 20;
 
 } // namespace
 
-namespace detail {
-namespace {
-
-/// Memory of operation states that are gone, kept by the thread that freed them.
-class SpareMemory {
-public:
-    ~SpareMemory() {
-        is_gone = true;
-        while (void* const block = take())
-            ::operator delete(block);
-    }
-    void* take() {
-        if (!first_)
-            return nullptr;
-        Block* const block = std::exchange(first_, first_->next);
-        --count_;
-        return block;
-    }
-    bool put(void* memory) {
-        if (count_ == most)
-            return false;
-        first_ = new (memory) Block{first_};
-        ++count_;
-        return true;
-    }
-    static inline thread_local bool is_gone = false; // a future may outlive the thread's locals
-
-private:
-    struct Block {
-        Block* next;
-    };
-    static constexpr std::size_t most = 8192;
-    Block* first_ = nullptr;
-    std::size_t count_ = 0;
-};
-thread_local SpareMemory spare_memory;
-
-/// Serves one type only: that of std::allocate_shared's block for an OperationState.
-template <typename T>
-struct StateAllocator {
-    using value_type = T;
-    StateAllocator() = default;
-    template <typename U>
-    StateAllocator(const StateAllocator<U>&) {}
-    T* allocate(std::size_t count) {
-        void* const memory = count == 1 && !SpareMemory::is_gone ? spare_memory.take() : nullptr;
-        return static_cast<T*>(memory ? memory : ::operator new(count * sizeof(T)));
-    }
-    void deallocate(T* memory, std::size_t count) noexcept {
-        if (count != 1 || SpareMemory::is_gone || !spare_memory.put(memory))
-            ::operator delete(memory);
-    }
-    friend bool operator==(const StateAllocator&, const StateAllocator&) { return true; }
-};
-
-} // namespace
-
-std::shared_ptr<OperationState> make_operation_state() {
-    return std::allocate_shared<OperationState>(StateAllocator<OperationState>());
-}
-
-} // namespace detail
-
 // OperationHandle
 
-OperationHandle::OperationHandle(
-    std::shared_ptr<Session> session, std::shared_ptr<detail::OperationState> state) noexcept
-    : session_(std::move(session)), state_(std::move(state)) {}
-
-OperationHandle::OperationHandle(const OperationHandle& other) noexcept
-    : session_(other.session_), state_(other.state_) {
-    if (state_) {
-        const std::lock_guard lock(session_->impl_->mutex);
-        ++state_->users;
-    }
-}
-
-OperationHandle::~OperationHandle() {
-    if (state_) {
-        const std::lock_guard lock(session_->impl_->mutex);
-        session_->impl_->drop_user(state_);
-    }
-}
+void OperationHandle::add_user() const noexcept { Session::Impl::add_user(*state_); }
+void OperationHandle::drop_user() const noexcept { Session::Impl::drop_user(*state_); }
 
 std::uint64_t OperationHandle::number() const noexcept { return state_ ? state_->number : 0; }
+
+const std::shared_ptr<Session>& OperationHandle::session() const noexcept {
+    static const std::shared_ptr<Session> none;
+    return state_ ? state_->slab->session : none;
+}
 
 bool OperationHandle::is_ready() const noexcept {
     if (!state_)
         return false;
     if (state_->is_done())
         return true;
-    const auto stage = state_->stage.load(std::memory_order_relaxed);
-    if (stage == OperationState::Stage::late ||
-        (stage == OperationState::Stage::sent && session_->impl_->has_channel)) {
-        const std::lock_guard lock(session_->impl_->mutex);
-        session_->impl_->take_answers();
+    Session::Impl& impl = *state_->slab->impl;
+    const bool is_late = state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late;
+    if (is_late || (state_->slab->is_sent.load(std::memory_order_relaxed) && impl.has_channel)) {
+        const std::lock_guard lock(impl.mutex);
+        impl.take_answers();
         if (state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::late &&
-            !session_->impl_->is_held_by_this_thread()) {
-            session_->impl_->ask_for_late(state_);
+            !impl.is_held_by_this_thread()) {
+            impl.ask_for_late(*state_);
         }
     }
     return state_->is_done();
 }
 
-RawResult OperationHandle::get(std::optional<Milliseconds> deadline) const {
+RawResult OperationHandle::get(std::optional<Milliseconds> deadline, BeforeSleep before_sleep) const {
     if (!state_)
         throw_invalid_future("get()");
-    return session_->impl_->wait_for_result(state_, deadline);
+    return state_->slab->impl->wait_for_result(*this, deadline, before_sleep);
 }
 
 bool OperationHandle::wait(Milliseconds timeout) const {
@@ -138,24 +85,28 @@ bool OperationHandle::wait(Milliseconds timeout) const {
         throw_invalid_future("wait()");
     if (state_->is_done())
         return true;
-    Session::Impl::Lock lock(session_->impl_->mutex);
-    return session_->impl_->wait_until_done(lock, state_, Clock::now() + timeout);
+    Session::Impl& impl = *state_->slab->impl;
+    Session::Impl::Lock lock(impl.mutex);
+    return impl.wait_until_done(lock, *state_, Clock::now() + timeout);
 }
 
 // OperationBuilder
 
 OperationBuilder::OperationBuilder(Session& session, std::uint16_t entry_point)
     : session_(session), entry_point_(entry_point) {
-    if (!spare_buffers.empty()) {
-        encoder_.buffer = std::move(spare_buffers.back());
-        spare_buffers.pop_back();
+    if (spare_buffers && spare_buffers->count != 0) {
+        encoder_.buffer.swap(spare_buffers->buffers[--spare_buffers->count]);
     }
 }
 
 OperationBuilder::~OperationBuilder() {
-    if (encoder_.buffer.capacity() <= largest_spare_buffer && spare_buffers.size() < 8) {
+    if (!spare_buffers) {
+        make_spare_buffers();
+    }
+    if (spare_buffers && spare_buffers->count < SpareBuffers::most &&
+        encoder_.buffer.capacity() <= largest_spare_buffer) {
         encoder_.buffer.clear();
-        spare_buffers.push_back(std::move(encoder_.buffer));
+        spare_buffers->buffers[spare_buffers->count++].swap(encoder_.buffer);
     }
 }
 
@@ -170,7 +121,7 @@ void OperationBuilder::put_future(const OperationHandle& operation) {
                 name),
             name);
     }
-    if (operation.session().get() != &session_) {
+    if (operation.state_->slab->impl != session_.impl_.get()) {
         const std::string name = session_.describe_operation(entry_point_, shape_);
         throw_error(ErrorCode::WrongType,
             fmt::format("An argument of {} is a future of another session. Get its value and pass that.", name), name);
@@ -186,7 +137,7 @@ void OperationBuilder::put_shape(ShapeId shape) {
 }
 
 /// Numbers the operation and appends it: to the open block, or as a batch of its own that is sent at once.
-std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuilder& builder, CallMode mode) {
+OperationState* Session::Impl::record(Lock& lock, OperationBuilder& builder, CallMode mode) {
     const auto name = [&] { return describe(builder.entry_point_, builder.shape_); };
     if (lost) {
         throw_lost(lock, name());
@@ -223,7 +174,7 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
             name());
     }
     for (const OperationHandle& future : builder.futures_) {
-        if (!in_block && future.state_->stage.load(std::memory_order_relaxed) == OperationState::Stage::recorded) {
+        if (!in_block && !future.state_->is_done() && !future.state_->slab->is_sent.load(std::memory_order_relaxed)) {
             throw_error(ErrorCode::FrameMisuse,
                 fmt::format("An argument of {} is the future of {}, which is recorded in an open block and not sent "
                             "yet: {} would overtake it. execute() the block first.",
@@ -238,28 +189,27 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
         : mode == CallMode::sync ? OperationFlags::wants_answer
                                  : static_cast<OperationFlags>(static_cast<std::uint8_t>(OperationFlags::wants_answer) |
                                                                static_cast<std::uint8_t>(OperationFlags::keep_result));
-    const std::size_t at = begin_operation(batch.operations, number, builder.entry_point_, flags);
-    batch.operations.put_raw(builder.encoder_.buffer.data(), builder.encoder_.buffer.size());
-    end_operation(batch.operations, at);
+    const ByteBuffer& arguments = builder.encoder_.buffer;
+    put_operation(batch.operations, number, builder.entry_point_, flags, arguments.data(), arguments.size());
     ++batch.count;
     batch.fire_and_forget += mode == CallMode::send;
 
-    std::shared_ptr<OperationState> state;
+    OperationState* state = nullptr;
     if (mode != CallMode::send || !builder.futures_.empty()) {
-        state = detail::make_operation_state();
+        state = &new_state(batch);
         state->number = number;
         state->entry_point = builder.entry_point_;
         state->shape = builder.shape_;
         state->fire_and_forget = mode == CallMode::send;
         state->kept = mode == CallMode::async;
-        state->users = mode == CallMode::send ? 0 : 1;
-        state->transaction = batch.transaction;
         for (const OperationHandle& future : builder.futures_) {
-            state->arguments.push_back(future.state_);
+            state->rarely().arguments.push_back(future.state_);
             batch.arguments.push_back(future.state_);
-            ++future.state_->users; // until this batch is answered
+            add_use(*future.state_); // until this batch is answered
         }
-        batch.states.push_back(state);
+        if (mode != CallMode::send) {
+            give(*state, builder.session_);
+        }
     }
     if (!in_block) {
         submit(single, false);
@@ -268,19 +218,84 @@ std::shared_ptr<OperationState> Session::Impl::record(Lock& lock, OperationBuild
 }
 
 RawResult OperationBuilder::call(std::optional<Milliseconds> deadline) {
-    std::shared_ptr<OperationState> state;
+    RawResult result = call_here(deadline);
+    if (!result.operation.valid()) {
+        result.own.swap(encoder_.buffer);
+    }
+    return result;
+}
+
+RawResult OperationBuilder::call_here(std::optional<Milliseconds> deadline, BeforeSleep before_sleep) {
+    RawResult result;
+    if (call_directly(result, deadline, before_sleep)) {
+        return result;
+    }
+    OperationState* state = nullptr;
     {
         Session::Impl::Lock lock(session_.impl_->mutex);
         state = session_.impl_->record(lock, *this, CallMode::sync);
     }
-    return session_.impl_->wait_for_result(state, deadline);
+    return session_.impl_->wait_for_result(OperationHandle(state), deadline, before_sleep);
+}
+
+/// Whether the game thread waits for the next operation of this thread's block, with nothing before it, and nothing that
+/// must go along with it.
+bool Session::Impl::may_call_directly(const OperationBuilder& builder) const {
+    return has_channel && holds_game_thread && is_block_open() && is_owner() && !lost && !is_calling &&
+           block.count == 0 && in_flight.empty() && releases.empty() && !announcer.has_pending() &&
+           builder.futures_.empty() &&
+           entry_point_rows()[builder.entry_point_].runs_on == RunsOn::game_thread;
+}
+
+bool OperationBuilder::call_directly(
+    RawResult& result, std::optional<Milliseconds> deadline, BeforeSleep before_sleep) {
+    Session::Impl& impl = *session_.impl_;
+    Session::Impl::Lock lock(impl.mutex);
+    if (!impl.may_call_directly(*this)) {
+        return false;
+    }
+    const std::uint64_t number = impl.next_operation;
+    TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, impl.session_id, number);
+    if (span.is_on() && SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS) {
+        const std::string name = impl.describe(entry_point_, shape_);
+        span.set_text(name.data(), name.size());
+    }
+    const spear_call call{number, entry_point_,
+        {reinterpret_cast<const std::uint8_t*>(encoder_.buffer.data()), encoder_.buffer.size()}};
+    if (spear_client_call(impl.client, &call) != 0) {
+        return false;
+    }
+    ++impl.next_operation;
+    impl.is_calling = true;
+    impl.call_number = number;
+    const auto is_over = [&] { return impl.lost || !impl.is_calling; };
+    if (!impl.take_call(!impl.has_leader)) {
+        before_sleep();
+        const Milliseconds limit = deadline.value_or(impl.deadline());
+        if (!impl.wait_until(lock, Clock::now() + limit, is_over)) {
+            impl.throw_deadline(lock, limit, impl.describe(entry_point_, shape_));
+        }
+    }
+    if (impl.is_calling) {
+        impl.throw_lost(lock, impl.describe(entry_point_, shape_));
+    }
+    encoder_.buffer.swap(impl.call_answer);
+    Decoder in(encoder_.bytes());
+    if (impl.call_failed) {
+        lock.unlock();
+        throw_error(decode_error(in));
+    }
+    result.view.type = in.get<TypeId>();
+    result.view.payload = {in.position(), in.remaining()};
+    result.entry_point = entry_point_;
+    result.shape = shape_;
+    result.frame = impl.call_frame;
+    return true;
 }
 
 OperationHandle OperationBuilder::async() {
-    auto session = session_.shared_from_this();
     Session::Impl::Lock lock(session_.impl_->mutex);
-    auto state = session_.impl_->record(lock, *this, CallMode::async);
-    return {std::move(session), std::move(state)};
+    return OperationHandle(session_.impl_->record(lock, *this, CallMode::async));
 }
 
 void OperationBuilder::send() {

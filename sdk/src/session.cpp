@@ -2,6 +2,7 @@
 #include "spear/session.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <limits>
 
@@ -49,6 +50,11 @@ std::uint32_t to_wire(Milliseconds time) {
 } // namespace
 
 // Connection
+
+Session::Impl::Impl() : serial([] {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}()) {}
 
 Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
@@ -246,8 +252,64 @@ ShapeId Session::Impl::shape(Session& session, const std::string& key, F&& make)
     return {number};
 }
 
+namespace {
+
+/// The shapes that a thread has used lately, found by where their names lie and compared by what they say: naming a
+/// function again takes neither lock nor hash.
+struct RecentShape {
+    std::uint64_t session = 0; // its serial number
+    TypeId shape = types::null;
+    std::uint16_t size = 0;
+    std::array<char, 78> key{}; // the function's name, then a zero and a name for each argument
+};
+constinit thread_local std::array<RecentShape, 64> recent_shapes{};
+
+RecentShape& recent_shape(std::string_view function, std::size_t arguments) {
+    return recent_shapes[(reinterpret_cast<std::uintptr_t>(function.data()) / 4 + function.size() + arguments * 7) % 64];
+}
+
+bool says(const RecentShape& recent, std::string_view function, std::span<const std::string_view> argument_names) {
+    std::string_view rest(recent.key.data(), recent.size);
+    if (!rest.starts_with(function)) {
+        return false;
+    }
+    rest.remove_prefix(function.size());
+    for (const std::string_view argument : argument_names) {
+        if (rest.size() <= argument.size() || rest.front() != '\0' || rest.substr(1, argument.size()) != argument) {
+            return false;
+        }
+        rest.remove_prefix(1 + argument.size());
+    }
+    return rest.empty();
+}
+
+void remember(RecentShape& recent, std::uint64_t session, std::string_view function,
+    std::span<const std::string_view> argument_names, TypeId shape) {
+    std::size_t size = function.size();
+    for (const std::string_view argument : argument_names) {
+        size += 1 + argument.size();
+    }
+    if (size > recent.key.size()) {
+        return;
+    }
+    char* at = std::ranges::copy(function, recent.key.begin()).out;
+    for (const std::string_view argument : argument_names) {
+        *at++ = '\0';
+        at = std::ranges::copy(argument, at).out;
+    }
+    recent.session = session;
+    recent.shape = shape;
+    recent.size = static_cast<std::uint16_t>(size);
+}
+
+} // namespace
+
 ShapeId Session::call_shape(std::string_view function, std::span<const std::string_view> argument_names) {
-    return impl_->shape(*this, shape_key("call ", function, argument_names), [&] {
+    RecentShape& recent = recent_shape(function, argument_names.size());
+    if (recent.session == impl_->serial && says(recent, function, argument_names)) {
+        return {recent.shape};
+    }
+    const ShapeId shape = impl_->shape(*this, shape_key("call ", function, argument_names), [&] {
         TypeInfo info;
         info.kind = TypeKind::call_shape;
         info.name = resolve_function_alias(function);
@@ -259,6 +321,8 @@ ShapeId Session::call_shape(std::string_view function, std::span<const std::stri
         }
         return info;
     });
+    remember(recent, impl_->serial, function, argument_names, shape.number);
+    return shape;
 }
 
 ShapeId Session::path_shape(std::string_view path) {

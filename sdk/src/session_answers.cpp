@@ -39,7 +39,7 @@ void Session::Impl::take_answers() {
     if (!has_channel || !client || lost) {
         return;
     }
-    bool any = false;
+    bool any = is_calling && take_call(false);
     try {
         std::uint64_t request = 0;
         spear_answers answers{};
@@ -57,6 +57,31 @@ void Session::Impl::take_answers() {
     }
     if (any && has_leader) { // it may wait for just this
         spear_client_wake(client);
+    }
+    if (any && followers != 0) {
+        changed.notify_all();
+    }
+}
+
+/// Takes the answer to the call, if it is there; perhaps after a short spin. Under the mutex.
+bool Session::Impl::take_call(bool spin) {
+    spear_call_answer answer{};
+    switch (spear_client_take_call(client, spin, &answer)) {
+    case 0:
+        return false;
+    case 1:
+        call_answer.clear();
+        call_answer.append(answer.value.data, answer.value.size);
+        call_failed = answer.failed != 0;
+        call_frame = answer.frame;
+        is_calling = false;
+        return true;
+    case 2: // receive() gets it
+        return false;
+    default:
+        lose({ErrorCode::MalformedMessage,
+            "The answer to a call in the shared memory channel from the engine is not of this protocol.", {}, {}, {}});
+        return false;
     }
 }
 
@@ -82,6 +107,16 @@ void Session::Impl::receive(std::uint64_t request, const spear_answers& answers)
             return;
         }
     }
+    if ((request & SPEAR_CALL_REQUEST) != 0) {
+        if (is_calling && (request & ~(SPEAR_CALL_REQUEST | SPEAR_CALL_FAILED)) == call_number) {
+            call_answer.clear();
+            call_answer.append(answers.answers.data, answers.answers.size);
+            call_failed = (request & SPEAR_CALL_FAILED) != 0;
+            call_frame = answers.frame;
+            is_calling = false;
+        }
+        return;
+    }
     auto node = in_flight.extract(request);
     if (node.empty()) {
         return; // lost meanwhile
@@ -91,33 +126,50 @@ void Session::Impl::receive(std::uint64_t request, const spear_answers& answers)
         finish_failed_batch(batch, {static_cast<ErrorCode>(answers.error_code),
                                        answers.error_message ? answers.error_message : "", {}, {}, {}});
     } else {
-        const auto* bytes = reinterpret_cast<const std::byte*>(answers.answers.data);
-        finish_batch(
-            batch, std::make_shared<const std::vector<std::byte>>(bytes, bytes + answers.answers.size), answers.frame);
+        AnswerBytes& bytes = new_answer_bytes();
+        bytes.bytes.append(answers.answers.data, answers.answers.size);
+        for (OperationSlab* const slab : batch.slabs) {
+            slab->answers = &bytes;
+            ++bytes.slabs;
+        }
+        finish_batch(batch, &bytes, answers.frame);
+        drop_answer_bytes(bytes); // if it has no slabs
     }
-    for (const auto& argument : batch.arguments) {
-        drop_user(argument);
+    for (OperationState* const argument : batch.arguments) {
+        drop_use(*argument);
+    }
+    for (OperationSlab* const slab : batch.slabs) {
+        set_answered(*slab);
     }
     batch.clear();
-    spare = std::move(node);
+    constexpr std::size_t most_spare = 8;
+    if (spare.size() < most_spare) {
+        spare.push_back(std::move(node));
+    }
     if (followers != 0) {
         changed.notify_all();
     }
 }
 
-void Session::Impl::finish_batch(
-    OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message, std::uint64_t frame) {
-    Decoder in(*message);
+void Session::Impl::finish_batch(OperationBatch& batch, AnswerBytes* bytes, std::uint64_t frame) {
+    Decoder in({bytes->bytes.data(), bytes->bytes.size()});
     // Answers come in the order of the operations, so the next is nearly always the one wanted.
-    std::size_t next = 0;
-    std::size_t missing = batch.states.size();
-    const auto find = [&](std::uint64_t number) -> std::shared_ptr<OperationState> {
-        if (next < batch.states.size() && batch.states[next]->number == number) {
-            --missing;
-            return batch.states[next++];
+    std::size_t slab_index = 0;
+    std::uint32_t state_index = 0;
+    const auto find = [&](std::uint64_t number) -> OperationState* {
+        for (std::size_t at = slab_index; at < batch.slabs.size(); ++at, state_index = 0) {
+            OperationSlab& slab = *batch.slabs[at];
+            slab_index = at;
+            for (; state_index < slab.count && slab.states[state_index].number <= number; ++state_index) {
+                if (slab.states[state_index].number == number) {
+                    return &slab.states[state_index++];
+                }
+            }
+            if (state_index < slab.count) {
+                return nullptr; // of a fire-and-forget operation that has no state
+            }
         }
-        const auto at = std::ranges::lower_bound(batch.states, number, {}, &OperationState::number);
-        return at != batch.states.end() && (*at)->number == number ? *at : nullptr;
+        return nullptr;
     };
     while (in.ok() && in.remaining() != 0) {
         const auto number = in.get<std::uint64_t>();
@@ -126,93 +178,104 @@ void Session::Impl::finish_batch(
         if (!in.ok()) {
             break;
         }
-        const std::shared_ptr<OperationState> state = find(number);
+        OperationState* const state = find(number);
         if (answer == AnswerState::succeeded) {
             if (state) {
-                RawResult result{message, {}, state->entry_point, state->shape, frame};
-                result.view.type = payload.get<TypeId>();
-                result.view.payload = {payload.position(), payload.remaining()};
-                finish(batch, state, std::move(result), nullptr, false);
+                const auto type = payload.get<TypeId>();
+                finish(batch, *state, {type, {payload.position(), payload.remaining()}}, frame, nullptr, false);
             }
             continue;
         }
         auto error = std::make_shared<const ErrorInfo>(decode_error(payload));
         if (state) {
-            finish(batch, state, {}, std::move(error), answer == AnswerState::pending);
+            finish(batch, *state, {}, frame, std::move(error), answer == AnswerState::pending);
         } else if (answer == AnswerState::failed) {
             report_failure(batch, {batch.transaction, std::move(error), nullptr});
         }
     }
-    if (missing == 0) {
-        return;
-    }
-    for (const auto& state : batch.states) {
-        if (state->stage.load(std::memory_order_relaxed) == OperationState::Stage::sent && !state->fire_and_forget) {
+    batch.for_each_state([&](OperationState& state) {
+        if (state.stage.load(std::memory_order_relaxed) == OperationState::Stage::pending &&
+            !state.fire_and_forget) {
             auto error = std::make_shared<const ErrorInfo>(ErrorInfo{ErrorCode::InternalError,
-                "The engine answered the batch of " + describe(*state) + ", but not this operation.", describe(*state),
+                "The engine answered the batch of " + describe(state) + ", but not this operation.", describe(state),
                 {}, {}});
-            finish(batch, state, {}, std::move(error), false);
+            finish(batch, state, {}, frame, std::move(error), false);
         }
-    }
+    });
 }
 
 void Session::Impl::finish_failed_batch(OperationBatch& batch, ErrorInfo error) {
     const auto shared = std::make_shared<const ErrorInfo>(std::move(error));
-    for (const auto& state : batch.states) {
-        if (!state->fire_and_forget) {
-            finish(batch, state, {}, shared, false);
+    bool has_waiting_states = false;
+    batch.for_each_state([&](OperationState& state) {
+        if (!state.fire_and_forget) {
+            has_waiting_states = true;
+            finish(batch, state, {}, 0, shared, false);
         }
-    }
-    const bool has_waiting_states =
-        std::ranges::any_of(batch.states, [](const auto& state) { return !state->fire_and_forget; });
+    });
     if (batch.block != SPEAR_BLOCK_NONE ? batch.fire_and_forget != 0 || !has_waiting_states
                                         : batch.fire_and_forget != 0) {
         report_failure(batch, {batch.transaction, shared, nullptr});
     }
 }
 
-void Session::Impl::finish(OperationBatch& batch, const std::shared_ptr<OperationState>& state, RawResult result,
+void Session::Impl::finish(OperationBatch& batch, OperationState& state, AnyView result, std::uint64_t frame,
     std::shared_ptr<const ErrorInfo> error, bool is_late) {
     using Stage = OperationState::Stage;
-    if (error && error->code == ErrorCode::DependencyFailed) {
-        const auto failed = std::ranges::find_if(
-            state->arguments, [](const auto& argument) { return argument->is_done() && argument->error; });
-        if (failed != state->arguments.end()) {
-            state->original = (*failed)->original ? (*failed)->original : (*failed)->error;
+    if (state.rare) {
+        OperationState::Rare& rare = *state.rare;
+        if (error && error->code == ErrorCode::DependencyFailed) {
+            const auto failed = std::ranges::find_if(rare.arguments,
+                [](const OperationState* argument) { return argument->is_done() && argument->error(); });
+            if (failed != rare.arguments.end()) {
+                rare.original = (*failed)->rare->original ? (*failed)->rare->original : (*failed)->error();
+            }
         }
-    }
-    if (state->fire_and_forget) {
-        if (error && !is_late) {
-            report_failure(batch, {batch.transaction, std::move(error), state->original});
-        }
-        state->arguments.clear();
-        return;
-    }
-    if (const auto target = std::exchange(state->deliver_to, nullptr)) { // an answer to wait_for_result
-        target->is_asked_for = false;
-        if (error && error->code == ErrorCode::NeedsFrames) {
-            target->ask_again_after = Clock::now() + Milliseconds(5);
+        rare.arguments.clear();
+        if (OperationState* const target = std::exchange(rare.deliver_to, nullptr)) { // an answer to wait_for_result
+            OperationState::Rare& asked = target->rarely();
+            asked.is_asked_for = false;
+            state.stage.store(Stage::done, std::memory_order_release);
+            if (error && error->code == ErrorCode::NeedsFrames) {
+                asked.ask_again_after = Clock::now() + Milliseconds(5);
+            } else {
+                if (late.erase(target->number) != 0) {
+                    drop_use(*target); // not the last one
+                }
+                asked.own_bytes.clear();
+                asked.own_bytes.append(result.payload.data(), result.payload.size());
+                result.payload = {asked.own_bytes.data(), asked.own_bytes.size()};
+                finish(batch, *target, result, frame, std::move(error), false);
+            }
+            drop_use(*target);
             return;
         }
-        result.entry_point = target->entry_point;
-        result.shape = target->shape;
-        late.erase(target->number);
-        finish(batch, target, std::move(result), std::move(error), false);
+    }
+    if (state.fire_and_forget) {
+        if (error && !is_late) {
+            report_failure(batch, {batch.transaction, std::move(error), state.rare ? state.rare->original : nullptr});
+        }
         return;
     }
-    state->arguments.clear();
-    state->error = std::move(error);
-    state->result = std::move(result);
-    if (is_late && state->kept) {
-        state->stage.store(Stage::late, std::memory_order_release);
-        if (state->users != 0) {
-            late.emplace(state->number, state);
-        }
+    if (error) {
+        state.rarely().error = std::move(error);
     } else {
-        state->stage.store(Stage::done, std::memory_order_release);
+        if (state.rare) {
+            state.rare->error = nullptr;
+        }
+        state.result_type = result.type;
+        state.result = result.payload.data();
+        state.result_size = static_cast<std::uint32_t>(result.payload.size());
+        state.frame = frame;
     }
-    if (state->users == 0 && std::exchange(state->kept, false)) {
-        releases.push_back(state->number);
+    if (is_late && state.kept) {
+        if (state.users.load(std::memory_order_acquire) != 0) {
+            add_use(state); // by `late`
+            late.emplace(state.number, &state);
+        }
+        state.stage.store(Stage::late, std::memory_order_release);
+    } else {
+        state.stage.store(Stage::done, std::memory_order_release);
     }
 }
 
@@ -231,42 +294,37 @@ void Session::Impl::lose(ErrorInfo error) {
         return;
     }
     lost = std::make_shared<const ErrorInfo>(std::move(error));
-    const auto fail = [this](const std::shared_ptr<OperationState>& state) {
-        if (!state->is_done()) {
-            state->error = lost;
-            state->arguments.clear();
-            state->deliver_to = nullptr;
-            state->stage.store(OperationState::Stage::done, std::memory_order_release);
+    const auto fail = [this](OperationState& state) {
+        if (!state.is_done()) {
+            OperationState::Rare& rare = state.rarely();
+            rare.error = lost;
+            rare.arguments.clear();
+            rare.deliver_to = nullptr;
+            state.stage.store(OperationState::Stage::done, std::memory_order_release);
         }
     };
-    for (const auto& [request, batch] : in_flight) {
-        std::ranges::for_each(batch.states, fail);
+    // Operations keep their memory as long as somebody has a handle; the session's own uses end here for good.
+    const auto fail_batch = [&](OperationBatch& batch) {
+        batch.for_each_state(fail);
+        for (OperationSlab* const slab : batch.slabs) {
+            slab->is_answered = true;
+        }
+        batch.slabs.clear();
+        batch.arguments.clear();
+    };
+    for (auto& [request, batch] : in_flight) {
+        fail_batch(batch);
     }
     in_flight.clear();
     for (const auto& [number, state] : late) {
-        fail(state);
+        fail(*state);
     }
     late.clear();
-    std::ranges::for_each(block.states, fail);
+    fail_batch(block);
     releases.clear();
     changed.notify_all();
     if (has_leader && client) {
         spear_client_wake(client);
-    }
-}
-
-/// Under the mutex. Results are released once they are there and nobody needs them any more.
-void Session::Impl::drop_user(const std::shared_ptr<OperationState>& state) {
-    if (--state->users != 0 || lost) {
-        return;
-    }
-    const auto stage = state->stage.load(std::memory_order_relaxed);
-    if (stage == OperationState::Stage::late) {
-        late.erase(state->number);
-    }
-    if ((stage == OperationState::Stage::done || stage == OperationState::Stage::late) &&
-        std::exchange(state->kept, false)) {
-        releases.push_back(state->number);
     }
 }
 

@@ -22,7 +22,11 @@ std::string seconds(Milliseconds time) { return fmt::format("{:g} s", static_cas
 /// The batch is empty afterwards.
 std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abort, bool single_step) {
     const TraceSpan span(SPEAR_TRACE_SEND, session_id, batch.transaction, batch.block);
-    const ByteBuffer types = announcer.take_pending();
+    ByteBuffer types;
+    if (announcer.has_pending()) {
+        types = announcer.take_pending();
+    }
+    release_dropped_results();
     spear_batch wire{};
     wire.transaction = batch.transaction;
     wire.block = batch.block;
@@ -38,19 +42,18 @@ std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abo
     const std::uint64_t request = next_request++;
     const bool refused = spear_client_submit(client, request, &wire) != 0;
     releases.clear();
-    for (const auto& state : batch.states) {
-        if (!state->is_done()) {
-            state->stage.store(OperationState::Stage::sent, std::memory_order_release);
-        }
+    for (OperationSlab* const slab : batch.slabs) {
+        slab->is_sent.store(true, std::memory_order_release);
     }
     if (batch.block != SPEAR_BLOCK_NONE) {
         last_request[batch.block] = request;
     }
-    if (spare) {
-        spare.key() = request;
-        std::swap(spare.mapped(), batch);
-        in_flight.insert(in_flight.end(), std::move(spare));
-        spare = {};
+    if (!spare.empty()) {
+        InFlight::node_type node = std::move(spare.back());
+        spare.pop_back();
+        node.key() = request;
+        std::swap(node.mapped(), batch);
+        in_flight.insert(in_flight.end(), std::move(node));
     } else {
         in_flight.emplace_hint(in_flight.end(), request, std::exchange(batch, {}));
     }
@@ -198,19 +201,6 @@ void Session::Impl::wait_for_change(Lock& lock, Clock::time_point until) {
     }
 }
 
-/// Waits until `done`, which is asked under the mutex. False at the deadline.
-template <typename F>
-bool Session::Impl::wait_until(Lock& lock, Clock::time_point until, F&& done) {
-    take_answers();
-    while (!done()) {
-        if (Clock::now() >= until) {
-            return false;
-        }
-        wait_for_change(lock, until);
-    }
-    return true;
-}
-
 void Session::Impl::wait_for_request(Lock& lock, std::uint64_t request, std::string_view what) {
     const Milliseconds limit = deadline();
     if (!wait_until(lock, Clock::now() + limit, [&] { return lost || !in_flight.contains(request); })) {
@@ -220,39 +210,43 @@ void Session::Impl::wait_for_request(Lock& lock, std::uint64_t request, std::str
 }
 
 /// Asks for the result of a latent function, once at a time.
-void Session::Impl::ask_for_late(const std::shared_ptr<OperationState>& state) {
-    if (lost || state->is_asked_for || Clock::now() < state->ask_again_after) {
+void Session::Impl::ask_for_late(OperationState& state) {
+    OperationState::Rare& rare = state.rarely();
+    if (lost || rare.is_asked_for || Clock::now() < rare.ask_again_after) {
         return;
     }
-    state->is_asked_for = true;
-    auto asking = std::make_shared<OperationState>();
-    asking->number = next_operation++;
-    asking->entry_point = AllEntryPoints::index_of<decltype(engine_service::wait_for_result)>();
-    asking->deliver_to = state;
+    rare.is_asked_for = true;
     OperationBatch batch;
+    OperationState& asking = new_state(batch);
+    asking.number = next_operation++;
+    asking.entry_point = AllEntryPoints::index_of<decltype(engine_service::wait_for_result)>();
+    asking.shape = types::null;
+    asking.fire_and_forget = asking.kept = false;
+    asking.rarely().deliver_to = &state;
+    add_use(state); // until it is answered
     const std::size_t at =
-        begin_operation(batch.operations, asking->number, asking->entry_point, OperationFlags::wants_answer);
-    encode_value(batch.operations, state->number);
+        begin_operation(batch.operations, asking.number, asking.entry_point, OperationFlags::wants_answer);
+    encode_value(batch.operations, state.number);
     end_operation(batch.operations, at);
-    batch.states.push_back(std::move(asking));
     batch.count = 1;
     submit(batch, false);
 }
 
 /// False at the timeout. Raises NeedsFrames.
-bool Session::Impl::wait_until_done(Lock& lock, const std::shared_ptr<OperationState>& state, Clock::time_point until) {
+bool Session::Impl::wait_until_done(Lock& lock, OperationState& state, Clock::time_point until) {
     using Stage = OperationState::Stage;
-    while (!state->is_done()) {
-        const Stage stage = state->stage.load(std::memory_order_relaxed);
-        if (stage == Stage::recorded && !lost && is_block_open() && is_owner() && state->transaction == transaction) {
+    while (!state.is_done()) {
+        const Stage stage = state.stage.load(std::memory_order_relaxed);
+        if (stage == Stage::pending && !state.slab->is_sent.load(std::memory_order_relaxed) && !lost &&
+            is_block_open() && is_owner() && state.slab->transaction == transaction) {
             send_recorded();
             continue;
         }
         Clock::time_point wake = until;
         if (stage == Stage::late) {
             if (is_held_by_this_thread()) {
-                const ErrorInfo error = state->error ? *state->error : ErrorInfo{};
-                const std::string name = describe(*state);
+                const ErrorInfo error = state.error() ? *state.error() : ErrorInfo{};
+                const std::string name = describe(state);
                 lock.unlock();
                 throw_error(ErrorCode::NeedsFrames,
                     fmt::format("The result of {} takes further frames, but this thread holds the engine. Close the "
@@ -262,43 +256,53 @@ bool Session::Impl::wait_until_done(Lock& lock, const std::shared_ptr<OperationS
                     name);
             }
             ask_for_late(state);
-            if (!state->is_asked_for) {
-                wake = std::min(until, state->ask_again_after);
+            if (!state.rarely().is_asked_for) {
+                wake = std::min(until, state.rarely().ask_again_after);
             }
         }
         wait_for_change(lock, wake);
-        if (!state->is_done() && Clock::now() >= until) {
+        if (!state.is_done() && Clock::now() >= until) {
             take_answers();
-            return state->is_done();
+            return state.is_done();
         }
     }
     return true;
 }
 
 RawResult Session::Impl::wait_for_result(
-    const std::shared_ptr<OperationState>& state, std::optional<Milliseconds> wanted_deadline) {
-    if (!state->is_done()) {
-        TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, state->number);
+    const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline, BeforeSleep before_sleep) {
+    OperationState& state = *handle.state_;
+    if (!state.is_done()) {
+        before_sleep();
+        TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, state.number);
         if (span.is_on() && SPEAR_TRACE_LEVEL() == SPEAR_TRACE_OPERATIONS) {
-            const std::string name = describe(*state);
+            const std::string name = describe(state);
             span.set_text(name.data(), name.size());
         }
         Lock lock(mutex);
         const Milliseconds limit = wanted_deadline.value_or(deadline());
         if (!wait_until_done(lock, state, Clock::now() + limit)) {
-            throw_deadline(lock, limit, describe(*state));
+            throw_deadline(lock, limit, describe(state));
         }
     }
-    if (state->error) {
+    if (state.rare && state.rare->error) {
         {
             Lock lock(mutex);
-            if (state->error == lost) {
-                throw_lost(lock, describe(*state));
+            if (state.rare->error == lost) {
+                before_sleep(); // the launcher may want to know how its engine has ended
+                throw_lost(lock, describe(state));
             }
         }
-        throw_error(*state->error, state->original);
+        throw_error(*state.rare->error, state.rare->original);
     }
-    return state->result;
+    RawResult result;
+    result.operation = handle;
+    result.view.type = state.result_type;
+    result.view.payload = {state.result, state.result_size};
+    result.entry_point = state.entry_point;
+    result.shape = state.shape;
+    result.frame = state.frame;
+    return result;
 }
 
 // Blocks
@@ -336,9 +340,9 @@ void Session::Impl::wait_for_kind(Lock& lock, BlockKind kind) {
     const std::uint64_t request = last_request[static_cast<std::size_t>(kind)];
     take_answers();
     if (request != 0 && in_flight.contains(request)) {
-        const TraceSpan span(
-            SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
-        wait_for_request(lock, request, fmt::format("The previous {} block", block_name(kind)));
+        const TraceSpan span(SPEAR_TRACE_WAIT_FOR_FRAME, session_id, kind == BlockKind::begin ? next_transaction : transaction);
+        wait_for_request(lock, request,
+            kind == BlockKind::begin ? "The previous begin_frame block" : "The previous end_frame block");
     }
 }
 
@@ -406,7 +410,8 @@ void Session::Impl::close(BlockKind kind, bool single_step) {
     try {
         if (waits) {
             const TraceSpan span(SPEAR_TRACE_WAIT_FOR_RESULT, session_id, request);
-            wait_for_request(lock, request, fmt::format("The end of the {} block", block_name(kind)));
+            wait_for_request(
+                lock, request, is_begin ? "The end of the begin_frame block" : "The end of the end_frame block");
         }
     } catch (...) {
         if (lock.owns_lock())
@@ -459,7 +464,8 @@ void Session::Impl::flush() {
     // Answers to wait_for_result may take any number of frames: they are no part of "everything sent so far has run".
     const auto is_part = [](const auto& entry) {
         const OperationBatch& batch = entry.second;
-        return batch.states.empty() || !batch.states.front()->deliver_to;
+        const OperationState* const first = batch.first_state();
+        return !first || !first->rare || !first->rare->deliver_to;
     };
     const std::uint64_t last = next_request;
     const Milliseconds limit = deadline();

@@ -26,54 +26,113 @@ namespace spear {
 
 namespace detail {
 
-/// One operation that somebody may ask about. Guarded by the session's mutex except where atomic.
+struct OperationSlab;
+
+/// One operation that somebody may ask about. Guarded by the session's mutex except where atomic. It lies in a slab, and
+/// lives as long as anybody has a handle of it, its batch is under way, or the session itself uses it.
 struct OperationState {
+    /// Of one that is not done: see OperationSlab::is_sent.
     enum class Stage : std::uint8_t {
-        recorded, ///< in a block that was not sent yet
-        sent,
+        pending,
         late, ///< a latent function: begun, its result takes further frames
         done,
     };
+    /// What few operations have.
+    struct Rare {
+        std::shared_ptr<const ErrorInfo> error;    ///< constant once done; while late: what NeedsFrames says
+        std::shared_ptr<const ErrorInfo> original; ///< DependencyFailed: the argument's error
+        std::vector<OperationState*> arguments;    ///< until it is answered
+        ByteBuffer own_bytes;                      ///< of a late result
+        // Late results are asked for with wait_for_result; the asking operation delivers to this one.
+        OperationState* deliver_to = nullptr;
+        bool is_asked_for = false;
+        std::chrono::steady_clock::time_point ask_again_after{};
+    };
 
+    OperationSlab* slab = nullptr;
     std::uint64_t number = 0;
-    std::uint16_t entry_point = 0;
     TypeId shape = types::null;
+    std::uint16_t entry_point = 0;
     bool fire_and_forget = false; ///< nobody waits: a failure goes to the session's list
     bool kept = false;            ///< the server keeps the result until it is released
-    int users = 0;                ///< handles of users, and operations in flight that have it as an argument
-    std::atomic<Stage> stage{Stage::recorded};
-    std::uint64_t transaction = 0;             ///< 0 outside of blocks
-    RawResult result;                          // set before stage is done, constant afterwards
-    std::shared_ptr<const ErrorInfo> error;    // likewise; while late: what NeedsFrames says
-    std::shared_ptr<const ErrorInfo> original; // DependencyFailed: the argument's error
-    std::vector<std::shared_ptr<OperationState>> arguments;
-
-    // Late results are asked for with wait_for_result; the asking operation delivers to this one.
-    std::shared_ptr<OperationState> deliver_to;
-    bool is_asked_for = false;
-    std::chrono::steady_clock::time_point ask_again_after{};
+    std::atomic<Stage> stage{Stage::pending};
+    std::atomic<int> users{0}; ///< handles of users
+    int uses = 0;              ///< by the session: of operations in flight that have it as an argument, and the like
+    TypeId result_type = types::null; // the result: set before stage is done, constant afterwards
+    std::uint32_t result_size = 0;
+    const std::byte* result = nullptr;
+    std::uint64_t frame = 0;
+    std::unique_ptr<Rare> rare;
 
     bool is_done() const noexcept { return stage.load(std::memory_order_acquire) == Stage::done; }
+    Rare& rarely() {
+        if (!rare) {
+            rare = std::make_unique<Rare>();
+        }
+        return *rare;
+    }
+    const std::shared_ptr<const ErrorInfo>& error() const noexcept {
+        static const std::shared_ptr<const ErrorInfo> none;
+        return rare ? rare->error : none;
+    }
 };
 
-/// Makes one in memory that this thread has freed before, where there is some: operations come and go by the thousand.
-std::shared_ptr<OperationState> make_operation_state();
+/// The bytes of answers to a batch, which the results of its operations are views of.
+struct AnswerBytes {
+    ByteBuffer bytes;
+    int slabs = 0; ///< that use it
+};
+
+/// The states of the operations of a batch, or of a part of it: one piece of memory, used again when nobody needs them.
+/// Guarded by the session's mutex except where atomic.
+struct OperationSlab {
+    explicit OperationSlab(std::uint32_t size) : capacity(size), states(new OperationState[size]) {}
+
+    const std::uint32_t capacity;
+    std::uint32_t count = 0;
+    const std::unique_ptr<OperationState[]> states;
+    Session::Impl* impl = nullptr;
+    std::uint64_t transaction = 0; ///< 0 outside of blocks
+    std::atomic<bool> is_sent{false};
+    bool is_answered = false;
+    int uses = 0; ///< of all its states
+    AnswerBytes* answers = nullptr;
+    /// Of the states that were given to users, how many, and how many nobody has a handle of any more. Equal: `session` is
+    /// null. While a handle exists, `session` does not change.
+    std::atomic<std::uint32_t> given{0}, dropped{0};
+    std::shared_ptr<Session> session;
+    std::uint32_t dropped_seen = 0; ///< when releases of single results were last looked for
+    static constexpr std::size_t not_held = ~std::size_t{0};
+    std::size_t held_at = not_held; ///< in Impl::held_slabs
+};
 
 } // namespace detail
 
+using detail::AnswerBytes;
+using detail::OperationSlab;
 using detail::OperationState;
 using Clock = std::chrono::steady_clock;
 
 /// Operations recorded for one message, and afterwards what is known of them until they are answered.
 struct OperationBatch {
     Encoder operations;
-    std::vector<std::shared_ptr<OperationState>> states;    ///< by number, rising
-    std::vector<std::shared_ptr<OperationState>> arguments; ///< futures in use by it (counted in `users`)
+    std::vector<OperationSlab*> slabs;      ///< of their states, by number, rising
+    std::vector<OperationState*> arguments; ///< futures in use by it (counted in `uses`)
     std::size_t count = 0;
     std::size_t fire_and_forget = 0;
     std::uint64_t transaction = 0;
     std::uint8_t block = SPEAR_BLOCK_NONE;
     bool is_abandoned = false; ///< failures are logged
+
+    template <typename F>
+    void for_each_state(F&& f) const {
+        for (const OperationSlab* slab : slabs) {
+            for (std::uint32_t i = 0; i < slab->count; ++i) {
+                f(slab->states[i]);
+            }
+        }
+    }
+    const OperationState* first_state() const noexcept { return slabs.empty() ? nullptr : &slabs.front()->states[0]; }
 
     /// As new, but with its memory.
     void clear() {
@@ -82,7 +141,7 @@ struct OperationBatch {
             operations = {};
         }
         operations.buffer.clear();
-        states.clear();
+        slabs.clear();
         arguments.clear();
         count = fire_and_forget = 0;
         transaction = 0;
@@ -108,10 +167,12 @@ const std::vector<EntryPointRow>& entry_point_rows();
 
 struct Session::Impl {
     using Lock = std::unique_lock<std::mutex>;
+    Impl();
 
     enum class Phase { idle, begin_open, between, end_open };
 
     // Constant after connect.
+    const std::uint64_t serial; // of this session among all of the process
     std::string address;
     std::uint64_t session_id = 0;
     bool has_channel = false;
@@ -139,10 +200,25 @@ struct Session::Impl {
     std::uint64_t next_request = 1;
     std::uint64_t next_transaction = 1;
     using InFlight = std::map<std::uint64_t, OperationBatch>;
-    InFlight in_flight;        // by request
-    InFlight::node_type spare; // the last one answered, with its memory
+    InFlight in_flight;                     // by request
+    std::vector<InFlight::node_type> spare; // some that were answered, with their memory
     OperationBatch single;     // for an operation outside of blocks, while it is recorded
-    std::unordered_map<std::uint64_t, std::shared_ptr<OperationState>> late;
+    std::unordered_map<std::uint64_t, OperationState*> late; // each counted in its `uses`
+
+    // Memory of operations; it lives as long as the session.
+    std::vector<std::unique_ptr<OperationSlab>> all_slabs;
+    std::vector<OperationSlab*> free_small, free_large;
+    std::vector<OperationSlab*> held_slabs; // answered, but users still have handles of some
+    std::size_t next_held = 0;              // of them to look at
+    std::vector<std::unique_ptr<AnswerBytes>> all_answer_bytes;
+    std::vector<AnswerBytes*> free_answer_bytes;
+
+    // A call through the channel's place for calls: one at a time.
+    bool is_calling = false;        // made and not answered
+    std::uint64_t call_number = 0;  // of the last one
+    bool call_failed = false;       // the answer, once is_calling is false again
+    std::uint64_t call_frame = 0;
+    ByteBuffer call_answer;
     std::vector<std::uint64_t> releases;
     std::vector<Failure> failures;
 
@@ -173,14 +249,28 @@ struct Session::Impl {
     void take_answers();
     void write_log(Lock& lock);
     void receive(std::uint64_t request, const spear_answers& answers);
-    void finish_batch(
-        OperationBatch& batch, const std::shared_ptr<const std::vector<std::byte>>& message, std::uint64_t frame);
+    bool take_call(bool spin);
+    void finish_batch(OperationBatch& batch, AnswerBytes* bytes, std::uint64_t frame);
     void finish_failed_batch(OperationBatch& batch, ErrorInfo error);
-    void finish(OperationBatch& batch, const std::shared_ptr<OperationState>& state, RawResult result,
+    void finish(OperationBatch& batch, OperationState& state, AnyView result, std::uint64_t frame,
         std::shared_ptr<const ErrorInfo> error, bool is_late);
     void report_failure(OperationBatch& batch, Failure failure);
     void lose(ErrorInfo error);
-    void drop_user(const std::shared_ptr<OperationState>& state);
+
+    // session_states.cpp. All want the mutex but the first two.
+    static void add_user(OperationState& state) noexcept;
+    static void drop_user(OperationState& state) noexcept;
+    OperationState& new_state(OperationBatch& batch);
+    void give(OperationState& state, Session& session);
+    AnswerBytes& new_answer_bytes();
+    void drop_answer_bytes(AnswerBytes& bytes);
+    void add_use(OperationState& state) noexcept;
+    void drop_use(OperationState& state);
+    void set_answered(OperationSlab& slab);
+    void reuse_if_unneeded(OperationSlab& slab);
+    void release_results_of(OperationSlab& slab);
+    void release_dropped_results();
+    void forget_dropped_late();
 
     // session_blocks.cpp: sending and waiting
     std::uint64_t submit(OperationBatch& batch, bool closes, bool abort = false, bool single_step = false);
@@ -194,10 +284,10 @@ struct Session::Impl {
     bool wait_until(Lock& lock, Clock::time_point until, F&& done);
     void wait_for_request(Lock& lock, std::uint64_t request, std::string_view what);
     void wait_for_kind(Lock& lock, BlockKind kind);
-    bool wait_until_done(Lock& lock, const std::shared_ptr<OperationState>& state, Clock::time_point until);
-    void ask_for_late(const std::shared_ptr<OperationState>& state);
+    bool wait_until_done(Lock& lock, OperationState& state, Clock::time_point until);
+    void ask_for_late(OperationState& state);
     RawResult wait_for_result(
-        const std::shared_ptr<OperationState>& state, std::optional<Milliseconds> wanted_deadline);
+        const OperationHandle& handle, std::optional<Milliseconds> wanted_deadline, BeforeSleep before_sleep);
     void require_order(BlockKind kind) const;
     void open(BlockKind kind);
     void close(BlockKind kind, bool single_step);
@@ -216,7 +306,21 @@ struct Session::Impl {
     ShapeId shape(Session& session, const std::string& key, F&& make);
 
     // operation.cpp
-    std::shared_ptr<OperationState> record(Lock& lock, OperationBuilder& builder, CallMode mode);
+    OperationState* record(Lock& lock, OperationBuilder& builder, CallMode mode);
+    bool may_call_directly(const OperationBuilder& builder) const;
 };
+
+/// Waits until `done`, which is asked under the mutex. False at the deadline.
+template <typename F>
+bool Session::Impl::wait_until(Lock& lock, Clock::time_point until, F&& done) {
+    take_answers();
+    while (!done()) {
+        if (Clock::now() >= until) {
+            return false;
+        }
+        wait_for_change(lock, until);
+    }
+    return true;
+}
 
 } // namespace spear

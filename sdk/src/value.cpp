@@ -10,7 +10,8 @@ using detail::Overloaded;
 
 std::string_view builtin_name(TypeId type) {
     static constexpr std::string_view names[] = {"null", "bool", "int8", "int16", "int32", "int64", "uint8", "uint16",
-        "uint32", "uint64", "float", "double", "string", "bytes", "object", "any", "future", "list", "dict", "map"};
+        "uint32", "uint64", "float", "double", "string", "bytes", "object", "any", "future", "list", "dict", "map",
+        "object"};
     return type <= types::last_builtin ? names[type] : "struct";
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("an engine that is asked to end while a client holds it does so in goo
         other.instance.call(spear::engine_service::request_exit);
         CHECK(instance.process()->wait(60s));
         CHECK(contains(instance.process()->describe_exit()->message, "exit code 0"));
-        // The process may have ended a moment before this one's I/O thread hears of it, and opening a block sends nothing.
+        // Our I/O thread may hear of the end a moment after it, and opening a block sends nothing.
         CHECK(eventually([&] { return !instance.session()->is_open(); }));
         if (!frame)
             CHECK_THROWS_AS(frame.emplace(instance.begin_frame()), spear::EngineExited);

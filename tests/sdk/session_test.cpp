@@ -450,7 +450,7 @@ TEST_CASE("G8: a future travels as its number; it is released when its last copy
     const Recorded begin = peer.next();
     CHECK(begin.releases.empty());
     Decoder in(begin.operations[1].arguments);
-    in.get_raw(4 + 12);
+    in.get_raw(4 + 8);
     in.get_raw(4 + 4);
     CHECK(in.get<TypeId>() == types::future);
     CHECK(in.get<std::uint64_t>() == number);

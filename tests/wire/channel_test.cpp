@@ -368,3 +368,221 @@ TEST_CASE("channel: garbage from the server is an error of the client") {
         CHECK(taken <= 1);
     }
 }
+
+// Calls: the place beside the rings.
+
+namespace {
+
+/// Takes calls on a thread that stands for the game thread, and answers with what `answer` makes of them.
+class CallServer {
+public:
+    using Answer = std::function<spear_call_answer(const spear_call&)>;
+    CallServer(Pair& pair, Answer answer) : pair_(pair), thread_([this, answer = std::move(answer)] { run(answer); }) {}
+    ~CallServer() {
+        stop_ = true;
+        pair_.server.wake();
+        thread_.join();
+    }
+
+private:
+    void run(const Answer& answer) {
+        while (!stop_) {
+            spear_call call{};
+            if (pair_.server.wait_call(1, 10, call)) {
+                pair_.server.answer_call(1, answer(call));
+            }
+        }
+        pair_.server.release();
+    }
+
+    Pair& pair_;
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+struct CallResult {
+    int taken = 0; ///< as spear_client_take_call says
+    bool failed = false;
+    std::uint64_t frame = 0;
+    std::vector<std::uint8_t> bytes;
+    std::uint64_t request = 0; ///< of an answer in the ring
+};
+
+CallResult make_call(Pair& pair, std::uint64_t number, const std::vector<std::uint8_t>& arguments) {
+    const spear_call call{number, 7, {arguments.data(), arguments.size()}};
+    while (!pair.client->call(call)) { // the game thread does not read yet
+        std::this_thread::yield();
+    }
+    for (;;) {
+        const std::uint32_t wakes = pair.client->wakes();
+        spear_call_answer answer{};
+        CallResult result;
+        result.taken = pair.client->take_call(true, answer);
+        if (result.taken == 2) {
+            result.request = pair.take(result.bytes);
+            return result;
+        }
+        if (result.taken != 0) {
+            result.failed = answer.failed != 0;
+            result.frame = answer.frame;
+            result.bytes.assign(answer.value.data, answer.value.data + answer.value.size);
+            return result;
+        }
+        pair.client->wait(wakes, 10'000);
+    }
+}
+
+} // namespace
+
+TEST_CASE("call: arguments of every size there and back, also what only the ring can take") {
+    Pair pair;
+    std::vector<std::uint8_t> large(200'000, 5);
+    CallServer server(pair, [&](const spear_call& call) {
+        CHECK(call.entry_point == 7);
+        spear_call_answer answer{};
+        answer.frame = call.number * 2;
+        answer.failed = call.number % 3 == 0;
+        answer.value = call.number % 10 == 0 ? spear_bytes{large.data(), large.size()} : call.arguments;
+        return answer;
+    });
+    for (std::uint64_t number = 1; number <= 3000; ++number) {
+        const auto arguments = make_bytes(number, number % (sizeof(ChannelCall::arguments) + 1));
+        const CallResult result = make_call(pair, number, arguments);
+        if (number % 10 == 0) {
+            CHECK(result.taken == 2);
+            CHECK(result.request == (call_request | (number % 3 == 0 ? call_failed : 0) | number));
+            CHECK(result.bytes == large);
+        } else {
+            CHECK(result.taken == 1);
+            CHECK(result.failed == (number % 3 == 0));
+            CHECK(result.frame == number * 2);
+            CHECK(result.bytes == arguments);
+        }
+    }
+    const std::vector<std::uint8_t> too_large(sizeof(ChannelCall::arguments) + 1);
+    CHECK_FALSE(pair.client->call({4000, 7, {too_large.data(), too_large.size()}}));
+    CHECK(make_call(pair, 4001, make_bytes(1, 8)).taken == 1); // the refused one has changed nothing
+    CHECK(pair.dropped == 0);
+}
+
+TEST_CASE("call: batches before and after it keep their place") {
+    Pair pair;
+    std::vector<std::uint64_t> order; // the server thread's
+    pair.set_submit([&](std::uint64_t request, const spear_batch&) {
+        order.push_back(request);
+        spear_answers answers{};
+        pair.server.reply(1, request, answers);
+    });
+    {
+        CallServer server(pair, [&](const spear_call& call) {
+            order.push_back(call.number);
+            return spear_call_answer{};
+        });
+        for (std::uint64_t number = 1; number < 2000; number += 2) {
+            CHECK(make_call(pair, number, make_bytes(number, 40)).taken == 1);
+            pair.submit(number + 1, make_bytes(number, 100), SPEAR_BLOCK_BEGIN);
+            std::vector<std::uint8_t> bytes;
+            CHECK(pair.take(bytes) == number + 1);
+        }
+    }
+    REQUIRE(order.size() == 2000);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        CHECK(order[i] == i + 1);
+    }
+}
+
+TEST_CASE("call: one that nobody may take ends the session") {
+    Pair pair;
+    const std::vector<std::uint8_t> arguments(8);
+    SUBCASE("when the game thread waits for something else") {
+        CHECK_FALSE(pair.client->call({1, 7, {arguments.data(), arguments.size()}})); // it does not read
+        pair.server.wait(1, 0);
+        REQUIRE(pair.client->call({1, 7, {arguments.data(), arguments.size()}}));
+        pair.server.wait(1, 10);
+    }
+    SUBCASE("when it stops waiting") {
+        spear_call call{};
+        CHECK_FALSE(pair.server.wait_call(1, 1, call));
+        REQUIRE(pair.client->call({1, 7, {arguments.data(), arguments.size()}}));
+        pair.server.release();
+    }
+    CHECK(pair.dropped == 1);
+    pair.server.release();
+    CHECK(pair.dropped == 1); // once
+}
+
+TEST_CASE("call: garbage in its place ends the session, or is no call") {
+    Pair pair;
+    ChannelCall& place = pair.spare->header().call;
+    spear_call call{};
+    SUBCASE("a size beyond the place") {
+        place.arguments_bytes = 1009;
+        store_release(&place.sequence, 1u);
+        CHECK_FALSE(pair.server.wait_call(1, 10, call));
+        CHECK(pair.dropped == 1);
+    }
+    SUBCASE("a number that stands for something else") {
+        place.number = call_failed | 1;
+        store_release(&place.sequence, 1u);
+        CHECK_FALSE(pair.server.wait_call(1, 10, call));
+        CHECK(pair.dropped == 1);
+    }
+    SUBCASE("a sequence out of order") {
+        for (const std::uint32_t sequence : {0u, 2u, 77u, 0xffff'ffffu}) {
+            store_release(&place.sequence, sequence);
+            CHECK_FALSE(pair.server.wait_call(1, 1, call));
+        }
+        CHECK(pair.dropped == 0);
+    }
+    pair.server.release();
+}
+
+TEST_CASE("call: bytes that change while the server reads them do no harm") {
+    Pair pair;
+    ChannelCall& place = pair.spare->header().call;
+    std::atomic<bool> stop{false};
+    std::thread liar([&] {
+        std::mt19937 random(1);
+        while (!stop) {
+            place.arguments_bytes = static_cast<std::uint16_t>(random());
+            place.entry_point = static_cast<std::uint16_t>(random());
+            place.number = random();
+            std::memset(place.arguments, static_cast<int>(random()), sizeof(place.arguments));
+        }
+    });
+    std::size_t taken = 0;
+    for (std::uint32_t sequence = 1; sequence <= 2000; ++sequence) {
+        store_release(&place.sequence, sequence);
+        spear_call call{};
+        if (pair.server.wait_call(1, 10, call)) {
+            ++taken;
+            REQUIRE(call.arguments.size <= sizeof(place.arguments));
+            std::vector<std::uint8_t> copy(call.arguments.data, call.arguments.data + call.arguments.size);
+            // What was taken is the server's own.
+            CHECK(std::memcmp(copy.data(), call.arguments.data, copy.size()) == 0);
+            pair.server.answer_call(1, {0, 0, call.arguments, {}});
+        }
+    }
+    stop = true;
+    liar.join();
+    CHECK(taken + static_cast<std::size_t>(pair.dropped) == 2000);
+    pair.server.release();
+}
+
+TEST_CASE("call: garbage in the answer is an error of the client") {
+    Pair pair;
+    ChannelCallAnswer& place = pair.spare->header().answer;
+    const std::vector<std::uint8_t> arguments(8);
+    spear_call_answer answer{};
+    pair.server.wait(1, 0);
+    REQUIRE(pair.client->call({1, 7, {arguments.data(), arguments.size()}}));
+    store_release(&place.sequence, 9u); // of no call
+    CHECK(pair.client->take_call(false, answer) == 0);
+    SUBCASE("an unknown state") { place.state = 99; }
+    SUBCASE("a size beyond the place") {
+        place.state = static_cast<std::uint16_t>(CallState::succeeded);
+        place.answer_bytes = 1009;
+    }
+    store_release(&place.sequence, 1u);
+    CHECK(pair.client->take_call(false, answer) == -1);
+}

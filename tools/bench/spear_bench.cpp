@@ -9,13 +9,16 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <linux/futex.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -72,8 +75,72 @@ Samples with_partner(P&& partner, F&& measure) {
     return samples;
 }
 
+/// Which cores a row may use. Free: the scheduler decides, and a sleeping partner is woken on the waker's core in one run
+/// and on the other in the next, which is four to ten times as slow on a virtual machine. So rows that sleep are also
+/// measured with both sides on one core, and on two.
+enum class Placement { free, one_core, two_cores };
+
+/// The cores that this process may use; not fewer than one.
+std::vector<int> allowed_cores() {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    ::sched_getaffinity(0, sizeof(set), &set);
+    std::vector<int> cores;
+    for (int core = 0; core < CPU_SETSIZE; ++core) {
+        if (CPU_ISSET(core, &set)) {
+            cores.push_back(core);
+        }
+    }
+    return cores;
+}
+
+/// Puts all threads of a process on one core; gives back where they might run before on destruction.
+class Pinned {
+public:
+    Pinned(std::uint64_t process, int core) {
+        cpu_set_t set;
+        CPU_ZERO(&set);
+        CPU_SET(core, &set);
+        const std::string tasks = "/proc/" + std::to_string(process) + "/task";
+        for (const auto& entry : std::filesystem::directory_iterator(tasks)) {
+            const auto thread = static_cast<pid_t>(std::stol(entry.path().filename().string()));
+            cpu_set_t before;
+            if (::sched_getaffinity(thread, sizeof(before), &before) == 0 &&
+                ::sched_setaffinity(thread, sizeof(set), &set) == 0) {
+                before_.emplace_back(thread, before);
+            }
+        }
+    }
+    ~Pinned() {
+        for (const auto& [thread, before] : before_) {
+            ::sched_setaffinity(thread, sizeof(before), &before);
+        }
+    }
+    Pinned(const Pinned&) = delete;
+    Pinned& operator=(const Pinned&) = delete;
+
+private:
+    std::vector<std::pair<pid_t, cpu_set_t>> before_;
+};
+
+/// This process on one core, and where its partner belongs; nothing if the scheduler decides.
+struct Places {
+    std::optional<Pinned> own;
+    std::optional<int> partner;
+
+    explicit Places(Placement placement) {
+        if (placement == Placement::free) {
+            return;
+        }
+        const std::vector<int> cores = allowed_cores();
+        partner = placement == Placement::one_core ? cores.front() : cores.back();
+        own.emplace(static_cast<std::uint64_t>(::getpid()), cores.front());
+    }
+};
+
 /// The floor: one byte there and back over a raw Unix socket, between two processes.
-Samples floor_socket() {
+Samples floor_socket(Placement placement) {
+    const Places places(placement);
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
         std::perror("spear-bench: socketpair");
@@ -81,6 +148,10 @@ Samples floor_socket() {
     }
     return with_partner(
         [&] {
+            std::optional<Pinned> own;
+            if (places.partner) {
+                own.emplace(static_cast<std::uint64_t>(::getpid()), *places.partner);
+            }
             ::close(ends[0]);
             char byte = 0;
             while (::read(ends[1], &byte, 1) == 1 && ::write(ends[1], &byte, 1) == 1) {}
@@ -168,8 +239,14 @@ struct Client {
     }
 };
 
-Samples synchronous(const std::string& address, spear::SessionOptions options) {
+Samples synchronous(
+    const std::string& address, spear::SessionOptions options, Placement placement = Placement::free) {
     Client client(address, std::move(options));
+    const Places places(placement);
+    std::optional<Pinned> engine;
+    if (places.partner) {
+        engine.emplace(client.instance.engine_info().process_id, *places.partner);
+    }
     return client.in_block(
         [&] { return measure_pings([&] { client.bench.call<FVector>("Move", FVector{1, 0, 0}); }); });
 }
@@ -222,11 +299,17 @@ Samples direct(const std::string& address, bool by_name) {
 
 const std::vector<std::pair<std::string, std::function<Samples(const std::string&)>>>& rows() {
     static const std::vector<std::pair<std::string, std::function<Samples(const std::string&)>>> table = {
-        {"floor", [](const std::string&) { return floor_socket(); }},
+        {"floor", [](const std::string&) { return floor_socket(Placement::free); }},
+        {"floor_one_core", [](const std::string&) { return floor_socket(Placement::one_core); }},
+        {"floor_two_cores", [](const std::string&) { return floor_socket(Placement::two_cores); }},
         {"memory_spinning", [](const std::string&) { return floor_memory(true); }},
         {"memory_sleeping", [](const std::string&) { return floor_memory(false); }},
         {"cpp_sync", [](const std::string& address) { return synchronous(address, {}); }},
         {"cpp_sync_no_spin", [](const std::string& address) { return synchronous(address, {.spin = false}); }},
+        {"cpp_sync_no_spin_one_core",
+            [](const std::string& address) { return synchronous(address, {.spin = false}, Placement::one_core); }},
+        {"cpp_sync_no_spin_two_cores",
+            [](const std::string& address) { return synchronous(address, {.spin = false}, Placement::two_cores); }},
         {"cpp_sync_rpc", [](const std::string& address) { return synchronous(address, {.channel = false}); }},
         {"cpp_sync_read", [](const std::string& address) { return synchronous_read(address); }},
         {"cpp_async", [](const std::string& address) { return asynchronous(address, {}, record_futures); }},

@@ -26,12 +26,16 @@ BLOCK = 1000
 # What each row is: (name, what it shows). Those of C++ are measured by the program spear-bench.
 CPP_ROWS = {
     "floor": "raw Unix socket ping-pong, two processes",
+    "floor_one_core": "the same, both on one core",
+    "floor_two_cores": "the same, each on a core",
     "memory_spinning": "bare shared memory ping-pong, spinning",
     "memory_sleeping": "bare shared memory ping-pong, futex",
     "direct": "ProcessEvent by C++ in the engine, found by name",
     "direct_bare": "ProcessEvent by C++ in the engine, kept function",
     "cpp_sync": "C++ synchronous call",
     "cpp_sync_no_spin": "C++ synchronous call, spinning off",
+    "cpp_sync_no_spin_one_core": "the same, both on one core",
+    "cpp_sync_no_spin_two_cores": "the same, each on a core",
     "cpp_sync_rpc": "C++ synchronous call by RPC",
     "cpp_sync_read": "C++ synchronous property read",
     "cpp_async": "C++ asynchronous calls, futures",
@@ -167,8 +171,10 @@ def _report(samples: dict[str, list[float]], load_before: tuple[float, float, fl
             "what": CPP_ROWS.get(name) or PYTHON_ROWS[name], "samples": len(ordered),
             "median_us": ordered[len(ordered) // 2], "p99_us": ordered[min(len(ordered) - 1, int(len(ordered) * 0.99))],
         }
-    for row in rows.values():
-        row["of_floor"] = row["median_us"] / rows["floor"]["median_us"]
+    for name, row in rows.items():
+        # Rows with a placement are compared with the floor in the same placement.
+        floor = next((f"floor{end}" for end in ("_one_core", "_two_cores") if name.endswith(end) and f"floor{end}" in rows), "floor")
+        row["of_floor"] = row["median_us"] / rows[floor]["median_us"]
         row["of_direct"] = row["median_us"] / rows["direct"]["median_us"]
         row["per_second"] = 1e6 / row["median_us"]
     machine = {

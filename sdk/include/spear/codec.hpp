@@ -211,12 +211,18 @@ struct Codec<ObjectRef> {
     static CodecError decode(Decoder& in, TypeId type, const DecodeContext&, ObjectRef& value) {
         value = {};
         if (type == types::null) return CodecError::none;
-        if (type != types::object) return CodecError::wrong_type;
+        if (type != types::object && type != types::handle) return CodecError::wrong_type;
         value.handle = in.get<std::uint64_t>();
-        value.class_type = in.get<TypeId>();
+        value.class_type = type == types::object ? in.get<TypeId>() : types::null;
         return CodecError::none;
     }
 };
+
+/// An object where only the engine reads it: without its class.
+inline void encode_handle(Encoder& out, const ObjectRef& value) {
+    out.put(types::handle);
+    out.put(value.handle);
+}
 
 // Anything -----------------------------------------------------------------------------------------------------------------
 

@@ -13,6 +13,7 @@
 //   boolean         u8 0 or 1                       dict      u32 n, n x (string, value)
 //   i8 ... f64      the number                      map       u32 n, n x (value, value)
 //   string          u32 bytes, UTF-8                future    u64 number of an earlier operation of the session
+//   handle          u64 handle: an object without its class, from the client
 //   bytes           u32 bytes, raw                  object    u64 handle (0 is null), u32 announced class (0 if null)
 //   announced struct:  its fields in order, each without type number (unless the field's type is `any`)
 //   announced array/set: u32 n, n payloads     announced map: u32 n, n x (payload, payload)     announced enum: i64
@@ -43,8 +44,8 @@ using TypeId = std::uint32_t;
 
 namespace types {
 inline constexpr TypeId null = 0, boolean = 1, i8 = 2, i16 = 3, i32 = 4, i64 = 5, u8 = 6, u16 = 7, u32 = 8, u64 = 9, f32 = 10, f64 = 11, string = 12,
-                        bytes = 13, object = 14, any = 15, future = 16, list = 17, dict = 18, map = 19;
-inline constexpr TypeId last_builtin = 19;
+                        bytes = 13, object = 14, any = 15, future = 16, list = 17, dict = 18, map = 19, handle = 20;
+inline constexpr TypeId last_builtin = 20;
 inline constexpr TypeId first_client_type = 64;
 inline constexpr TypeId first_server_type = 0x8000'0000u;
 } // namespace types
@@ -55,7 +56,7 @@ constexpr std::size_t fixed_size(TypeId type) {
     case types::boolean: case types::i8: case types::u8: return 1;
     case types::i16: case types::u16: return 2;
     case types::i32: case types::u32: case types::f32: return 4;
-    case types::i64: case types::u64: case types::f64: case types::future: return 8;
+    case types::i64: case types::u64: case types::f64: case types::future: case types::handle: return 8;
     case types::object: return 12;
     default: return 0;
     }
@@ -432,6 +433,27 @@ inline std::size_t begin_operation(Encoder& out, std::uint64_t number, std::uint
 inline void end_operation(Encoder& out, std::size_t at) {
     out.patch(at, static_cast<std::uint32_t>(out.buffer.size() - at - sizeof(std::uint32_t)));
 }
+/// The header of an operation that decode_operation_header has checked before.
+inline OperationHeader load_operation_header(const std::byte* at) {
+    OperationHeader header;
+    std::memcpy(&header.number, at, 8);
+    std::memcpy(&header.entry_point, at + 8, 2);
+    std::memcpy(&header.flags, at + 10, 1);
+    std::memcpy(&header.bytes, at + 11, 4);
+    return header;
+}
+/// All of an operation.
+inline void put_operation(Encoder& out, std::uint64_t number, std::uint16_t entry_point, OperationFlags flags, const std::byte* arguments, std::size_t size) {
+    std::byte* const at = out.buffer.extend(OperationHeader::size + size);
+    const auto bytes = static_cast<std::uint32_t>(size);
+    std::memcpy(at, &number, 8);
+    std::memcpy(at + 8, &entry_point, 2);
+    std::memcpy(at + 10, &flags, 1);
+    std::memcpy(at + 11, &bytes, 4);
+    if (size != 0) {
+        std::memcpy(at + 15, arguments, size);
+    }
+}
 inline OperationHeader decode_operation_header(Decoder& in) {
     OperationHeader header;
     header.number = in.get<std::uint64_t>();
@@ -444,11 +466,21 @@ inline OperationHeader decode_operation_header(Decoder& in) {
     return header;
 }
 
+/// A batch's releases are numbers of operations whose results the server forgets. One with this bit is the first of a range, and the
+/// next entry says how many numbers it has.
+inline constexpr std::uint64_t release_range = std::uint64_t{1} << 63;
+
 /// pending: a latent function has begun; the error in its payload is what a client raises that cannot wait for it
 /// (engine_service.wait_for_result).
 enum class AnswerState : std::uint8_t { succeeded = 0, failed = 1, pending = 2 };
 
 /// Record: u64 number, u8 state, u32 bytes, then a value (succeeded), or an error (u16 code, four texts).
+inline constexpr std::size_t answer_header_size = 8 + 1 + 4;
+inline void store_answer_header(std::byte* at, std::uint64_t number, AnswerState state, std::uint32_t bytes) {
+    std::memcpy(at, &number, 8);
+    std::memcpy(at + 8, &state, 1);
+    std::memcpy(at + 9, &bytes, 4);
+}
 inline std::size_t begin_answer(Encoder& out, std::uint64_t number, AnswerState state) {
     out.put(number);
     out.put(state);

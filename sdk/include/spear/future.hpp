@@ -95,9 +95,9 @@ CallResult<mode, R> perform(OperationBuilder& operation, const std::shared_ptr<S
     } else if constexpr (mode == CallMode::async) {
         return Future<R>(operation.async());
     } else if constexpr (std::is_void_v<R>) {
-        operation.call();
+        operation.call_here();
     } else {
-        return decode_result<R>(operation.call(), session);
+        return decode_result<R>(operation.call_here(), session);
     }
 }
 } // namespace detail

@@ -190,7 +190,7 @@ public:
 
 private:
     friend class ObjectOperations<Object>;
-    void put_self(OperationBuilder& operation) const { Codec<ObjectRef>::encode(operation.out(), ref()); }
+    void put_self(OperationBuilder& operation) const { encode_handle(operation.out(), ref()); }
     const std::shared_ptr<Session>& session_for(std::string_view what) const {
         return detail::require_session(*this, what);
     }

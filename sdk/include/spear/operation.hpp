@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "spear/codec.hpp"
@@ -25,41 +26,52 @@
 namespace spear {
 
 class Session;
-class OperationHandle;
+struct RawResult;
 
 using Milliseconds = std::chrono::milliseconds;
 
+/// What a caller wants to do when a wait is about to block its thread: on the waiting thread, before it
+/// sleeps, connects or asks the server, and never if the answer came within the first short spin. May run under the
+/// session's lock: it must not block, nor call the SDK. (Python gives up its lock there.)
+struct BeforeSleep {
+    void (*function)(void* user) = nullptr;
+    void* user = nullptr;
+
+    void operator()() const {
+        if (function)
+            function(user);
+    }
+};
+
 namespace detail {
 struct OperationState;
+struct OperationSlab;
 } // namespace detail
-
-/// A result as it came: a view of one value, and what keeps the bytes alive. Read it with Session::types().
-struct RawResult {
-    std::shared_ptr<const std::vector<std::byte>> message;
-    AnyView view{};
-    std::uint16_t entry_point = 0; ///< with the shape: names the operation in errors (Session::describe_operation)
-    TypeId shape = types::null;
-    std::uint64_t frame = 0; ///< the engine's frame in which the operation ran
-};
 
 /// A recorded operation that has, or will have, a result. Copyable, thread-safe; Future<T> is this with a type. When
 /// the last copy goes, the server is told to forget the result.
 class OperationHandle {
 public:
     OperationHandle() noexcept = default;
-    OperationHandle(const OperationHandle& other) noexcept;
-    OperationHandle(OperationHandle&& other) noexcept = default;
+    OperationHandle(const OperationHandle& other) noexcept : state_(other.state_) {
+        if (state_)
+            add_user();
+    }
+    OperationHandle(OperationHandle&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
     OperationHandle& operator=(OperationHandle other) noexcept {
-        session_.swap(other.session_);
-        state_.swap(other.state_);
+        std::swap(state_, other.state_);
         return *this;
     }
-    ~OperationHandle();
+    ~OperationHandle() {
+        if (state_)
+            drop_user();
+    }
 
     bool valid() const noexcept { return state_ != nullptr; }
     /// The operation's number: what travels when the future is an argument.
     std::uint64_t number() const noexcept;
-    const std::shared_ptr<Session>& session() const noexcept { return session_; }
+    /// Null if it is not valid.
+    const std::shared_ptr<Session>& session() const noexcept;
 
     /// Whether get() would return (or raise) at once.
     bool is_ready() const noexcept;
@@ -72,7 +84,7 @@ public:
     /// holds the engine;
     ///   HeldByClient, EngineBusy, EngineExited, Disconnected or DeadlineExceeded when the deadline has passed
     ///   (default: the session's).
-    RawResult get(std::optional<Milliseconds> deadline = {}) const;
+    RawResult get(std::optional<Milliseconds> deadline = {}, BeforeSleep before_sleep = {}) const;
 
     /// The same wait without result or the operation's error: false if the timeout has passed.
     bool wait(Milliseconds timeout) const;
@@ -80,10 +92,21 @@ public:
 private:
     friend class Session;
     friend class OperationBuilder;
-    OperationHandle(std::shared_ptr<Session> session, std::shared_ptr<detail::OperationState> state) noexcept;
+    explicit OperationHandle(detail::OperationState* state) noexcept : state_(state) {} // takes over one user of it
+    void add_user() const noexcept;
+    void drop_user() const noexcept;
 
-    std::shared_ptr<Session> session_;
-    std::shared_ptr<detail::OperationState> state_;
+    detail::OperationState* state_ = nullptr; // lives, and keeps its session, as long as somebody has a handle of it
+};
+
+/// A result as it came: a view of one value, and what keeps its bytes. Read it with Session::types().
+struct RawResult {
+    OperationHandle operation{}; ///< keeps the bytes; not valid for a result of OperationBuilder::call_here
+    AnyView view{};
+    std::uint16_t entry_point = 0; ///< with the shape: names the operation in errors (Session::describe_operation)
+    TypeId shape = types::null;
+    std::uint64_t frame = 0; ///< the engine's frame in which the operation ran
+    ByteBuffer own{};        ///< the bytes, if no operation keeps them
 };
 
 /// Collects the arguments of one operation, then performs it in one of three ways. Destroyed without that, it leaves no
@@ -113,6 +136,9 @@ public:
 
     /// Synchronous: it has run on the game thread when this returns (G3).
     RawResult call(std::optional<Milliseconds> deadline = {});
+    /// The same with a result whose bytes are this builder's, where that is faster: valid until it goes, or `out()` is
+    /// written again.
+    RawResult call_here(std::optional<Milliseconds> deadline = {}, BeforeSleep before_sleep = {});
     /// Asynchronous: recorded; runs in program order.
     OperationHandle async();
     /// Fire-and-forget: a failure is raised when the block ends or later (frame.hpp).
@@ -120,6 +146,9 @@ public:
 
 private:
     friend class Session;
+    /// Writes the operation into the place for calls of the shared memory channel, if it may go there, and waits.
+    bool call_directly(RawResult& result, std::optional<Milliseconds> deadline, BeforeSleep before_sleep);
+
     Session& session_;
     std::uint16_t entry_point_;
     TypeId shape_ = types::null;

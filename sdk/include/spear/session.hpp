@@ -223,6 +223,7 @@ public:
 private:
     friend class OperationHandle;
     friend class OperationBuilder;
+    friend struct detail::OperationSlab;
     struct Impl;
     explicit Session(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;

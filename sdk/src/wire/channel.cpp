@@ -187,7 +187,7 @@ void ChannelWriter::publish() {
     if (written_ != published_) {
         published_ = written_;
         if (cpu_) {
-            __atomic_store_n(cpu_, Spinner::this_cpu(), __ATOMIC_RELAXED);
+            note_cpu(cpu_);
         }
         store_ordered(tail_, written_);
     }

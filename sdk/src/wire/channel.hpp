@@ -188,6 +188,22 @@ public:
         return false;
     }
 
+    /// Spins for some microseconds without asking the clock, in the middle of something. A miss does not count.
+    template <typename F>
+    bool spin_briefly(const std::uint32_t* other_cpu, F&& arrived) {
+        if (!enabled_ || misses_ >= give_up_after || __atomic_load_n(other_cpu, __ATOMIC_RELAXED) == this_cpu()) {
+            return false;
+        }
+        for (int i = 0; i < 256; ++i) {
+            if (arrived()) {
+                misses_ = 0;
+                return true;
+            }
+            pause();
+        }
+        return false;
+    }
+
 private:
     static constexpr std::uint64_t spin_ns = 50'000;
     static constexpr unsigned give_up_after = 4, try_again_every = 16;
@@ -204,6 +220,13 @@ private:
     const bool enabled_;
     unsigned misses_ = 0, skipped_ = 0;
 };
+
+/// Tells the other side which core this thread runs on, if that has changed.
+inline void note_cpu(std::uint32_t* at) {
+    if (const std::uint32_t cpu = Spinner::this_cpu(); cpu != __atomic_load_n(at, __ATOMIC_RELAXED)) {
+        __atomic_store_n(at, cpu, __ATOMIC_RELAXED);
+    }
+}
 
 /// Counts the messages of one way. One thread at a time counts, any thread reads.
 class TrafficCounter {
@@ -225,6 +248,10 @@ public:
 private:
     std::atomic<std::uint64_t> messages_{0}, bytes_{0};
 };
+
+inline spear_traffic operator+(const spear_traffic& a, const spear_traffic& b) {
+    return {a.messages + b.messages, a.bytes + b.bytes};
+}
 
 /// False if the environment variable is "off", "0", "no" or "false".
 bool setting_is_on(const char* variable);

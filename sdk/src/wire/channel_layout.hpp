@@ -16,8 +16,13 @@
 // Linux futex (not private) while it is 1. Who has written to the ring and finds it not 0 writes 0 and wakes the
 // sleepers. Both sides store and load here sequentially consistent, so one of them sees the other.
 //
+// Beside the rings each direction has a place for one call and one answer (ChannelCall, ChannelCallAnswer): a synchronous
+// operation in a block whose game thread already waits for the client. Number and contents stand in one cache line if
+// they are small, so a round trip costs two transfers of a line and nothing else. Client and server take turns: the
+// client writes a call and then its number into `sequence`; the server, the answer and then the same number.
+//
 // Neither side believes the other: each keeps its own position to itself and checks the other's, and copies a message
-// out of the ring before it looks at it.
+// out of the ring (a call, out of its place) before it looks at it.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,13 +30,46 @@
 namespace spear::wire {
 
 inline constexpr std::uint64_t channel_magic = 0x314e414843525053; // "SPRCHAN1"
-inline constexpr std::uint32_t channel_layout_version = 1;
+inline constexpr std::uint32_t channel_layout_version = 2;
 inline constexpr std::size_t channel_header_bytes = 4096;
 inline constexpr std::size_t channel_nonce_bytes = 32;
 /// Bytes of each ring: a power of two. Small enough for a second-level cache, large enough for a block of some thousand
 /// operations at once.
 inline constexpr std::size_t channel_ring_bytes = 256u << 10;
 inline constexpr std::size_t channel_region_bytes = channel_header_bytes + 2 * channel_ring_bytes;
+
+/// A call, client to server. The arguments' bytes follow the head at once.
+struct ChannelCall {
+    std::uint32_t sequence; ///< counts up from 1 with each call; written last
+    std::uint16_t arguments_bytes;
+    std::uint16_t entry_point; ///< index into the entry points agreed at connect
+    std::uint64_t number;      ///< of the operation
+    std::uint8_t arguments[1008];
+};
+static_assert(sizeof(ChannelCall) == 1024 && offsetof(ChannelCall, arguments_bytes) == 4);
+static_assert(offsetof(ChannelCall, entry_point) == 6 && offsetof(ChannelCall, number) == 8);
+static_assert(offsetof(ChannelCall, arguments) == 16);
+
+/// Its answer, server to client.
+struct ChannelCallAnswer {
+    std::uint32_t sequence; ///< of the call; written last
+    std::uint16_t answer_bytes;
+    std::uint16_t state; ///< CallState
+    std::uint64_t frame; ///< in which it ran
+    std::uint8_t answer[1008];
+};
+static_assert(sizeof(ChannelCallAnswer) == 1024 && offsetof(ChannelCallAnswer, answer_bytes) == 4);
+static_assert(offsetof(ChannelCallAnswer, state) == 6 && offsetof(ChannelCallAnswer, frame) == 8);
+static_assert(offsetof(ChannelCallAnswer, answer) == 16);
+
+/// How a call ended. Answers that are too large for their place, or that need announcements, go through the ring.
+enum class CallState : std::uint16_t {
+    succeeded = 1, ///< the answer is a value
+    failed = 2,    ///< the answer is an error
+    in_ring = 3,   ///< the ring has it, as answers to the request `call_request | number`, or `| call_failed` as well
+};
+inline constexpr std::uint64_t call_request = std::uint64_t{1} << 63;
+inline constexpr std::uint64_t call_failed = std::uint64_t{1} << 62;
 
 struct ChannelHeader {
     // Written by the server before the client hears of the region, constant afterwards.
@@ -54,7 +92,9 @@ struct ChannelHeader {
     alignas(128) std::uint32_t game_thread_sleeps; ///< sleeping word
     alignas(128) std::uint32_t watcher_sleeps;     ///< sleeping word
     alignas(128) std::uint32_t client_sleeps;      ///< sleeping word
-    alignas(128) std::uint8_t reserved[channel_header_bytes - 1152];
+    alignas(128) ChannelCall call;                 ///< written by the client
+    alignas(128) ChannelCallAnswer answer;         ///< written by the server
+    alignas(128) std::uint8_t reserved[channel_header_bytes - 3200];
 };
 static_assert(sizeof(ChannelHeader) == channel_header_bytes);
 static_assert(offsetof(ChannelHeader, magic) == 0 && offsetof(ChannelHeader, layout_version) == 8);
@@ -65,6 +105,7 @@ static_assert(offsetof(ChannelHeader, client_cpu) == 136 && offsetof(ChannelHead
 static_assert(offsetof(ChannelHeader, game_thread_reads) == 640 && offsetof(ChannelHeader, wake_for_blocks) == 644);
 static_assert(offsetof(ChannelHeader, server_wants_room) == 648 && offsetof(ChannelHeader, game_thread_sleeps) == 768);
 static_assert(offsetof(ChannelHeader, watcher_sleeps) == 896 && offsetof(ChannelHeader, client_sleeps) == 1024);
+static_assert(offsetof(ChannelHeader, call) == 1152 && offsetof(ChannelHeader, answer) == 2176);
 static_assert((channel_ring_bytes & (channel_ring_bytes - 1)) == 0);
 
 /// A batch of operations, client to server. Then: releases (u64 each), operations, types, zeros to a multiple of 8.

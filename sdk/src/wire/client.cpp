@@ -411,6 +411,12 @@ extern "C" int spear_client_take(spear_client* client, uint64_t* request, spear_
 extern "C" void spear_client_wait(spear_client* client, uint32_t wakes, uint32_t timeout_us) {
     client->channel->wait(wakes, timeout_us);
 }
+extern "C" int spear_client_call(spear_client* client, const spear_call* call) {
+    return client->connected.load(std::memory_order_relaxed) && client->channel->call(*call) ? 0 : 1;
+}
+extern "C" int spear_client_take_call(spear_client* client, int spin, spear_call_answer* answer) {
+    return client->channel->take_call(spin != 0, *answer);
+}
 extern "C" uint32_t spear_client_wakes(const spear_client* client) {
     return client->channel ? client->channel->wakes() : 0;
 }

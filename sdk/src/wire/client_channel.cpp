@@ -74,6 +74,49 @@ void ClientChannel::wake_server(bool block) {
     }
 }
 
+bool ClientChannel::call(const spear_call& call) {
+    ChannelCall& out = header_.call;
+    if (call.arguments.size > sizeof(out.arguments) || load_acquire(&header_.game_thread_reads) == 0) {
+        return false;
+    }
+    out.arguments_bytes = static_cast<std::uint16_t>(call.arguments.size);
+    out.entry_point = call.entry_point;
+    out.number = call.number;
+    std::memcpy(out.arguments, call.arguments.data, call.arguments.size);
+    note_cpu(&header_.client_cpu);
+    const std::uint32_t sequence = calls_.load(std::memory_order_relaxed) + 1;
+    calls_.store(sequence, std::memory_order_relaxed);
+    is_calling_.store(true, std::memory_order_relaxed);
+    calls_sent_.add(call.arguments.size);
+    store_ordered(&out.sequence, sequence);
+    wake_sleeper(&header_.game_thread_sleeps);
+    return true;
+}
+
+int ClientChannel::take_call(bool spin, spear_call_answer& answer) {
+    if (!is_call_answered() &&
+        !(spin && spinner_.spin_briefly(&header_.server_cpu, [this] { return is_call_answered(); }))) {
+        return 0;
+    }
+    is_calling_.store(false, std::memory_order_relaxed);
+    const ChannelCallAnswer& in = header_.answer;
+    const auto state = static_cast<CallState>(in.state);
+    const std::size_t size = in.answer_bytes;
+    if (state == CallState::in_ring) {
+        return 2;
+    }
+    if ((state != CallState::succeeded && state != CallState::failed) || size > sizeof(answer_)) {
+        return -1;
+    }
+    std::memcpy(answer_, in.answer, size);
+    answer.frame = in.frame;
+    answer.failed = state == CallState::failed;
+    answer.value = {answer_, size};
+    calls_received_.add(size);
+    answer.types = {};
+    return 1;
+}
+
 int ClientChannel::take(std::uint64_t& request, spear_answers& answers) {
     const ChannelReader::Result result = reader_.next();
     if (load_ordered(&header_.server_wants_room) != 0) {
@@ -110,7 +153,7 @@ int ClientChannel::take(std::uint64_t& request, spear_answers& answers) {
 }
 
 void ClientChannel::wait(std::uint32_t wakes, std::uint32_t timeout_us) {
-    const auto arrived = [&] { return reader_.has_news() || wakes_.load() != wakes; };
+    const auto arrived = [&] { return reader_.has_news() || is_call_answered() || wakes_.load() != wakes; };
     // A large batch goes out while we wait for its answer.
     while (!flush()) {
         if (spinner_.spin(&header_.server_cpu, [&] { return arrived() || flush(); })) {

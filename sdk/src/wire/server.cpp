@@ -686,6 +686,13 @@ extern "C" void spear_server_drop(spear_server* server, uint64_t session, const 
 extern "C" void spear_server_wait(spear_server* server, uint64_t session, uint32_t timeout_ms) {
     server->channels.wait(session, timeout_ms);
 }
+extern "C" int spear_server_wait_call(
+    spear_server* server, uint64_t session, uint32_t timeout_ms, spear_call* call) {
+    return server->channels.wait_call(session, timeout_ms, *call) ? 1 : 0;
+}
+extern "C" void spear_server_answer_call(spear_server* server, uint64_t session, const spear_call_answer* answer) {
+    server->channels.answer_call(session, *answer);
+}
 extern "C" void spear_server_release(spear_server* server) { server->channels.release(); }
 extern "C" void spear_server_poll(spear_server* server) { server->channels.poll(); }
 extern "C" void spear_server_wake(spear_server* server) { server->channels.wake(); }

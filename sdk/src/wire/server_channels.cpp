@@ -156,7 +156,53 @@ void ServerChannel::claim() noexcept {
     store_ordered(&header_.game_thread_reads, 1u);
 }
 
+bool ServerChannel::take_call(spear_call& call) {
+    const ChannelCall& in = header_.call;
+    ++calls_;
+    const std::size_t size = __atomic_load_n(&in.arguments_bytes, __ATOMIC_RELAXED);
+    call.entry_point = __atomic_load_n(&in.entry_point, __ATOMIC_RELAXED);
+    call.number = call_number_ = __atomic_load_n(&in.number, __ATOMIC_RELAXED);
+    if (size > sizeof(call_) || (call.number & (call_request | call_failed)) != 0) {
+        events_.drop(session_, "MalformedMessage: a call in the shared memory channel is not of this protocol");
+        return false;
+    }
+    std::memcpy(call_, in.arguments, size);
+    call.arguments = {call_, size};
+    calls_received_.add(size);
+    return true;
+}
+
+void ServerChannel::answer_call(const spear_call_answer& answer) {
+    ChannelCallAnswer& out = header_.answer;
+    CallState state = answer.failed ? CallState::failed : CallState::succeeded;
+    if (answer.types.size != 0 || answer.value.size > sizeof(out.answer)) {
+        state = CallState::in_ring;
+        spear_answers answers{};
+        answers.frame = answer.frame;
+        answers.answers = answer.value;
+        answers.types = answer.types;
+        reply(call_request | (answer.failed ? call_failed : 0) | call_number_, answers);
+    } else {
+        std::memcpy(out.answer, answer.value.data, answer.value.size);
+        out.answer_bytes = static_cast<std::uint16_t>(answer.value.size);
+        calls_sent_.add(answer.value.size);
+    }
+    out.state = static_cast<std::uint16_t>(state);
+    out.frame = answer.frame;
+    note_cpu(&header_.server_cpu);
+    store_ordered(&out.sequence, calls_);
+    wake_sleeper(&header_.client_sleeps);
+}
+
+void ServerChannel::refuse_call() {
+    if (has_call()) {
+        ++calls_;
+        events_.drop(session_, "MalformedMessage: a call outside of a block that holds the game thread");
+    }
+}
+
 void ServerChannel::release() noexcept {
+    refuse_call();
     game_thread_reads_ = false;
     store_ordered(&header_.game_thread_reads, 0u);
     // What arrived before the client could see that: the client woke nobody for it.
@@ -169,15 +215,17 @@ void ServerChannel::release() noexcept {
 }
 
 template <typename F>
-void ServerChannel::wait(std::uint32_t timeout_us, F&& idle) {
-    if (spinner_->spin(&header_.client_cpu, [&] { return has_news() || !idle(); })) {
+void ServerChannel::wait(std::uint32_t timeout_us, F&& idle, std::atomic<bool>& sleeps) {
+    if (spinner_->spin(&header_.client_cpu, [&] { return has_call() || has_news() || !idle(); })) {
         return;
     }
+    sleeps = true;
     store_ordered(&header_.game_thread_sleeps, 1u);
-    if (!has_news() && idle()) {
+    if (!has_call() && !has_news() && idle()) {
         futex_wait(&header_.game_thread_sleeps, 1, timeout_us);
     }
     store_ordered(&header_.game_thread_sleeps, 0u);
+    sleeps = false;
 }
 
 bool ServerChannel::watcher_has_work() const noexcept { return closed_ || (!game_thread_reads_ && has_news()); }
@@ -289,7 +337,7 @@ bool ServerChannels::reply(std::uint64_t session, std::uint64_t request, const s
 }
 
 void ServerChannels::poll() {
-    std::vector<std::shared_ptr<ServerChannel>> with_news;
+    std::vector<std::shared_ptr<ServerChannel>>& with_news = polled_;
     {
         const std::lock_guard lock(mutex_);
         const bool is_first = !std::exchange(is_polled_, true);
@@ -305,9 +353,11 @@ void ServerChannels::poll() {
     for (const auto& channel : with_news) {
         channel->pump();
     }
+    with_news.clear();
 }
 
-void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
+/// From now on the game thread reads the session's channel.
+void ServerChannels::claim(std::uint64_t session) {
     game_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
     const std::uint32_t changes = changes_.load(std::memory_order_acquire);
     if (session != claimed_session_ || changes != seen_changes_) {
@@ -321,14 +371,17 @@ void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
             sleeps_at_ = claimed_;
         }
     }
+}
+
+void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
+    claim(session);
     const auto idle = [this] { return wakes_.load() == seen_wakes_; };
     if (claimed_) {
         if (claimed_->pump() == 0 && idle()) {
-            waits_ = true;
-            claimed_->wait(timeout_ms * 1000, idle);
-            waits_ = false;
+            claimed_->wait(timeout_ms * 1000, idle, waits_);
             claimed_->pump();
         }
+        claimed_->refuse_call();
     } else {
         waits_ = true;
         store_ordered(&sleeps_, 1u);
@@ -340,6 +393,31 @@ void ServerChannels::wait(std::uint64_t session, std::uint32_t timeout_ms) {
     }
     // The caller looks at everything now; a wake() counted here had its reason in place before.
     seen_wakes_ = wakes_.load();
+}
+
+bool ServerChannels::wait_call(std::uint64_t session, std::uint32_t timeout_ms, spear_call& call) {
+    claim(session);
+    if (!claimed_) {
+        wait(session, timeout_ms);
+        return false;
+    }
+    const auto idle = [this] { return wakes_.load() == seen_wakes_; };
+    if (!claimed_->has_call() && !claimed_->has_news() && idle()) {
+        claimed_->wait(timeout_ms * 1000, idle, waits_);
+    }
+    // A call came before what the ring has; wakes are looked at when there is none.
+    if (claimed_->has_call()) {
+        return claimed_->take_call(call);
+    }
+    claimed_->pump();
+    seen_wakes_ = wakes_.load();
+    return false;
+}
+
+void ServerChannels::answer_call(std::uint64_t session, const spear_call_answer& answer) {
+    if (claimed_ && session == claimed_session_) {
+        claimed_->answer_call(answer);
+    }
 }
 
 void ServerChannels::release() {

@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "channel.hpp"
 #include "spear_wire.h"
@@ -51,15 +52,21 @@ public:
     /// Any thread.
     void reply(std::uint64_t request, const spear_answers& answers);
     void set_wake_for_blocks(bool wanted) noexcept;
-    spear_traffic received() const noexcept { return received_.read(); }
-    spear_traffic sent() const noexcept { return sent_.read(); }
+    spear_traffic received() const noexcept { return received_.read() + calls_received_.read(); }
+    spear_traffic sent() const noexcept { return sent_.read() + calls_sent_.read(); }
 
     // Game thread.
     void claim() noexcept;
     void release() noexcept;
-    /// Waits for the client or wake_game_thread(), as long as `idle` is true.
+    /// Waits for the client or wake_game_thread(), as long as `idle` is true; says in `sleeps` when it does not spin.
     template <typename F>
-    void wait(std::uint32_t timeout_us, F&& idle);
+    void wait(std::uint32_t timeout_us, F&& idle, std::atomic<bool>& sleeps);
+    bool has_call() const noexcept { return load_acquire(&header_.call.sequence) == calls_ + 1; }
+    /// Takes the call that has arrived; false, and the session ends, if it is none.
+    bool take_call(spear_call& call);
+    void answer_call(const spear_call_answer& answer);
+    /// Ends the session if it has made a call that nobody may take now.
+    void refuse_call();
     /// Any thread.
     void wake_game_thread() noexcept { wake_sleeper(&header_.game_thread_sleeps); }
 
@@ -87,6 +94,10 @@ private:
     std::atomic<bool> wants_room_{false};
 
     std::unique_ptr<Spinner> spinner_; ///< game thread
+    TrafficCounter calls_received_, calls_sent_; ///< game thread counts
+    std::uint32_t calls_ = 0;                    ///< game thread: taken
+    std::uint64_t call_number_ = 0;    ///< game thread: of the one taken last
+    alignas(16) std::uint8_t call_[sizeof(ChannelCall::arguments)]; ///< game thread: likewise
     std::thread watcher_;
 };
 
@@ -111,12 +122,15 @@ public:
     // Game thread.
     void poll();
     void wait(std::uint64_t session, std::uint32_t timeout_ms);
+    bool wait_call(std::uint64_t session, std::uint32_t timeout_ms, spear_call& call);
+    void answer_call(std::uint64_t session, const spear_call_answer& answer);
     void release();
     /// Any thread: ends a wait().
     void wake();
 
 private:
     std::shared_ptr<ServerChannel> find(std::uint64_t session) const;
+    void claim(std::uint64_t session);
 
     const ChannelEvents events_;
     mutable std::mutex mutex_;
@@ -128,6 +142,7 @@ private:
     std::atomic<std::uint32_t> wakes_{0};
     std::atomic<bool> waits_{false};             // the game thread is about to sleep, or sleeps
     std::atomic<std::thread::id> game_thread_{}; // relaxed: each thread looks only for itself
+    std::vector<std::shared_ptr<ServerChannel>> polled_; // game thread, in poll(): with its memory
     std::uint32_t seen_wakes_ = 0;               // game thread
     std::uint32_t seen_changes_ = 0;             // game thread
     std::shared_ptr<ServerChannel> claimed_;     // game thread

@@ -35,6 +35,10 @@ typedef struct spear_wire_error {
     char message[2048];
 } spear_wire_error;
 
+/* Answers with such a request are a call's, the rest of the number is the operation's. */
+#define SPEAR_CALL_REQUEST (UINT64_C(1) << 63)
+#define SPEAR_CALL_FAILED (UINT64_C(1) << 62)
+
 enum { SPEAR_BLOCK_NONE = 0, SPEAR_BLOCK_BEGIN = 1, SPEAR_BLOCK_END = 2 };
 enum { SPEAR_STATE_RUNNING = 0, SPEAR_STATE_HELD_BY_YOU = 1, SPEAR_STATE_HELD_BY_OTHER = 2, SPEAR_STATE_BUSY = 3, SPEAR_STATE_EXITING = 4 };
 enum { SPEAR_LEASE_OFF = 0xffffffffu };
@@ -61,6 +65,21 @@ typedef struct spear_answers {
     uint16_t error_code;
     const char* error_message;
 } spear_answers;
+
+/* A synchronous operation outside of any batch: see spear_client_call. */
+typedef struct spear_call {
+    uint64_t number;      /* of the operation */
+    uint16_t entry_point; /* the client's number of it */
+    spear_bytes arguments;
+} spear_call;
+
+/* Its answer: a value, or an error as in answers. */
+typedef struct spear_call_answer {
+    uint64_t frame;
+    uint8_t failed;
+    spear_bytes value;
+    spear_bytes types; /* announcements that go ahead of it; from the server only */
+} spear_call_answer;
 
 /* Messages one way: batches of operations, or answers to them; bytes of what is in them, without the transport's envelope. */
 typedef struct spear_traffic {
@@ -145,7 +164,11 @@ SPEAR_WIRE_API void spear_server_drop(spear_server* server, uint64_t session, co
  * `submit`, or spear_server_wake was called since the last wait returned. From its first call until spear_server_release, the game
  * thread itself reads the session's channel. */
 SPEAR_WIRE_API void spear_server_wait(spear_server* server, uint64_t session, uint32_t timeout_ms);
-/* Game thread: the waiting is over; others read the channel again. */
+/* The same within a block that this session's client holds open, of which nothing is queued: takes calls as well. 1 if `call` was
+ * filled; its bytes are a copy, valid until spear_server_answer_call, which must follow. The session number of one that has gone: 0. */
+SPEAR_WIRE_API int spear_server_wait_call(spear_server* server, uint64_t session, uint32_t timeout_ms, spear_call* call);
+SPEAR_WIRE_API void spear_server_answer_call(spear_server* server, uint64_t session, const spear_call_answer* answer);
+/* Game thread: the waiting is over; others read the channel again. A call that is not taken by then ends its session. */
 SPEAR_WIRE_API void spear_server_release(spear_server* server);
 /* Game thread, at the beginning and at the end of each frame: gives what has arrived in all channels to `submit`. */
 SPEAR_WIRE_API void spear_server_poll(spear_server* server);
@@ -197,6 +220,13 @@ SPEAR_WIRE_API int spear_client_has_channel(const spear_client* client);
 SPEAR_WIRE_API int spear_client_take(spear_client* client, uint64_t* request, spear_answers* answers);
 /* With a channel; one thread at a time. Waits for something to take, at most so long, or until the number of wakes is not that one. */
 SPEAR_WIRE_API void spear_client_wait(spear_client* client, uint32_t wakes, uint32_t timeout_us);
+/* With a channel; one thread at a time. A synchronous operation, for which the game thread waits already: in a block that is
+ * open, held by an operation that was answered, with no batch of the session unanswered and no call either. Nonzero if it is too large,
+ * the game thread does not read yet, or the session is over: then nothing has happened. */
+SPEAR_WIRE_API int spear_client_call(spear_client* client, const spear_call* call);
+/* The answer to the last call, valid until the next: 1. Not there yet, though it was looked for in a short spin if that pays: 0. With
+ * the next that spear_client_take gives, whose request is SPEAR_CALL_REQUEST, perhaps SPEAR_CALL_FAILED, and the operation's number: 2. Not of this protocol: -1. */
+SPEAR_WIRE_API int spear_client_take_call(spear_client* client, int spin, spear_call_answer* answer);
 /* Any thread. The session's end wakes too. */
 SPEAR_WIRE_API uint32_t spear_client_wakes(const spear_client* client);
 SPEAR_WIRE_API void spear_client_wake(spear_client* client);

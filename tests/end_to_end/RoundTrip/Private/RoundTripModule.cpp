@@ -11,6 +11,7 @@
 #include "UObject/Stack.h"
 #include "UObject/UObjectGlobals.h"
 
+#include <dlfcn.h>
 #include <malloc.h>
 
 void URoundTrip::CallListener(int32 Number) {
@@ -60,6 +61,12 @@ int64 URoundTripCalls::AllocatedBytes() {
 int64 URoundTripCalls::Ticket() {
     static int64 Last = 0;
     return ++Last;
+}
+
+int64 URoundTripCalls::Allocations() {
+    using FCount = uint64_t (*)();
+    static const auto Count = reinterpret_cast<FCount>(dlsym(RTLD_DEFAULT, "spear_test_allocations"));
+    return Count ? static_cast<int64>(Count()) : -1;
 }
 
 void URoundTripCalls::BlockFrames(const FString& Folder) {

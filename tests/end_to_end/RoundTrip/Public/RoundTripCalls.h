@@ -54,6 +54,9 @@ public:
     /** 1, 2, 3, ...: tells in which order calls of all clients run. */
     UFUNCTION()
     static int64 Ticket();
+    /** How often the game thread has asked for memory, if the program counts that (tests/allocations); else -1. */
+    UFUNCTION()
+    static int64 Allocations();
     /** Runs no frame any more, like a modal dialog: makes the file "began" in the folder, returns when it has a file
      * "go". */
     UFUNCTION()

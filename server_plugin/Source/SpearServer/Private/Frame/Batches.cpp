@@ -51,15 +51,13 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
     const std::size_t At = spear::begin_answer(Answers, Header.number, spear::AnswerState::succeeded);
     const std::size_t ValueAt = Answers.buffer.size();
 
-    // A latent function completes into the kept result, so its place is made before it begins.
-    const bool bPlaced = Operation.bKeepResult;
-    FKeptResult* Kept = nullptr;
+    bool bKeeps = Operation.bKeepResult;
     EOutcome Outcome = EOutcome::Failed;
     if (RunsOnOf(EntryPoint) == spear::RunsOn::game_thread && !bInBlock) {
         Operation.Error = MakeError(ErrorCode::NotInFrame,
             std::string(NameOf(EntryPoint)) + " runs within begin_frame and end_frame blocks only");
-    } else if (bPlaced && !(Kept = Session->Keep(Header.number))) {
-        Operation.bKeepResult = false;
+    } else if (bKeeps && !Session->Kept.CanKeep(Header.number, bInBlock)) {
+        bKeeps = Operation.bKeepResult = false;
         Operation.Error = MakeError(ErrorCode::LimitExceeded,
             "the result cannot be kept: operation number " + std::to_string(Header.number) +
                 " is taken, or limits::max_kept_results = " + std::to_string(spear::limits::max_kept_results) +
@@ -80,9 +78,12 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
     switch (Outcome) {
     case EOutcome::Done:
         spear::end_answer(Answers, At);
-        if (Kept) {
-            Kept->State = FKeptResult::Succeeded;
-            Kept->Value.append(Answers.buffer.data() + ValueAt, Answers.buffer.size() - ValueAt);
+        if (bKeeps && bInBlock && Operation.bWantsAnswer) {
+            Session->Kept.KeepAnswer(Header.number, Start);
+        } else if (bKeeps) {
+            FKeptResult& Kept = Session->Kept.Keep(Header.number);
+            Kept.State = FKeptResult::Succeeded;
+            Kept.Value.append(Answers.buffer.data() + ValueAt, Answers.buffer.size() - ValueAt);
         }
         if (!Operation.bWantsAnswer) {
             Answers.buffer.resize(Start);
@@ -94,13 +95,17 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
         }
         CutTexts(Operation.Error);
         AnswerError(Answers, Start, Header.number, spear::AnswerState::failed, Operation.Error);
-        if (Kept) {
-            Kept->State = FKeptResult::Failed;
-            Kept->Error = std::move(Operation.Error);
+        if (bKeeps) {
+            FKeptResult& Kept = Session->Kept.Keep(Header.number);
+            Kept.State = FKeptResult::Failed;
+            Kept.Error = std::move(Operation.Error);
         }
         break;
     case EOutcome::Pending: {
         Answers.buffer.resize(Start);
+        if (bKeeps) { // the latent function completes into it, in a later frame
+            Session->Kept.Keep(Header.number);
+        }
         if (Operation.bWantsAnswer) {
             ErrorInfo Error = MakeError(ErrorCode::NeedsFrames,
                 "the latent function completes in a later frame: leave the block, then wait for its future");
@@ -111,31 +116,87 @@ EOutcome RunOperation(FSession* Session, const spear::OperationHeader& Header, u
     }
     case EOutcome::Park:
         Answers.buffer.resize(Start);
-        if (bPlaced) {
-            Session->ReleaseKept(Header.number); // placed again at the next try
-        }
         break;
     }
+    if (Session) {
+        Session->Kept.ForgetResolved();
+    }
     return Outcome;
+}
+
+/// Runs an operation of a block if it is a plain call (FPlainCalls), as nearly all are. False: RunOperation takes it.
+bool RunPlainCall(FSession& Session, const spear::OperationHeader& Header, std::span<const std::byte> Arguments,
+    spear::Encoder& Answers) {
+    const bool bWantsAnswer = HasFlag(Header.flags, spear::OperationFlags::wants_answer);
+    const bool bKeeps = HasFlag(Header.flags, spear::OperationFlags::keep_result);
+    if ((bKeeps && (!bWantsAnswer || !Session.Kept.CanKeep(Header.number, true))) ||
+        Answers.buffer.size() > LargestReply) {
+        return false;
+    }
+    const FPlainCalls::FReady Ready = Session.PlainCalls.Find(Session, Arguments);
+    if (!Ready.Object) {
+        return false;
+    }
+    if (!bWantsAnswer) {
+        FPlainCalls::Make(Ready, nullptr);
+        return true;
+    }
+    const std::size_t Start = Answers.buffer.size();
+    std::byte* const At = Answers.buffer.extend(spear::answer_header_size + Ready.ResultBytes());
+    spear::store_answer_header(
+        At, Header.number, spear::AnswerState::succeeded, static_cast<uint32>(Ready.ResultBytes()));
+    FPlainCalls::Make(Ready, At + spear::answer_header_size); // writes no answers of its own
+    if (bKeeps) {
+        Session.Kept.KeepAnswer(Header.number, Start);
+    }
+    return true;
 }
 
 } // namespace
 
 bool RunBatch(FSession& Session, FRunningBatch& Running) {
     const bool bInBlock = Running.Batch.Block != EBlock::None;
+    const bool bPlainCalls = bInBlock && SPEAR_TRACE_LEVEL() != SPEAR_TRACE_OPERATIONS;
     const std::span<const std::byte> All(Running.Batch.Operations);
+    if (bInBlock) {
+        Session.Kept.BeginBatch(Running.Answers.buffer);
+    }
     while (Running.Offset < All.size()) {
-        spear::Decoder In(All.subspan(Running.Offset));
-        const std::size_t Before = In.remaining();
-        const spear::OperationHeader Header = spear::decode_operation_header(In);
-        const std::span<const std::byte> Arguments = In.get_raw(Header.bytes);
-        if (RunOperation(&Session, Header, Session.EntryPointOf(Header.entry_point), bInBlock, Arguments,
-                Running.Answers) == EOutcome::Park) {
+        // The headers were checked when the batch arrived (FInbox::Submit).
+        const spear::OperationHeader Header = spear::load_operation_header(All.data() + Running.Offset);
+        const std::span<const std::byte> Arguments =
+            All.subspan(Running.Offset + spear::OperationHeader::size, Header.bytes);
+        const uint16 EntryPoint = Session.EntryPointOf(Header.entry_point);
+        if (!(bPlainCalls && EntryPoint == CallFunctionEntryPoint() && RunPlainCall(Session, Header, Arguments, Running.Answers)) &&
+            RunOperation(&Session, Header, EntryPoint, bInBlock, Arguments, Running.Answers) == EOutcome::Park) {
             return false;
         }
-        Running.Offset += Before - In.remaining();
+        Running.Offset += spear::OperationHeader::size + Header.bytes;
     }
     return true;
+}
+
+bool RunCall(FSession& Session, uint64 Number, uint16 EntryPoint, std::span<const std::byte> Arguments,
+    spear::Encoder& Answer) {
+    Answer.buffer.clear();
+    if (EntryPoint == CallFunctionEntryPoint() && SPEAR_TRACE_LEVEL() != SPEAR_TRACE_OPERATIONS) {
+        if (const FPlainCalls::FReady Ready = Session.PlainCalls.Find(Session, Arguments); Ready.Object) {
+            FPlainCalls::Make(Ready, Answer.buffer.extend(Ready.ResultBytes()));
+            return true;
+        }
+    }
+    spear::OperationHeader Header;
+    Header.number = Number;
+    Header.flags = spear::OperationFlags::wants_answer;
+    // The record of an answer, of which the value is wanted.
+    RunOperation(&Session, Header, EntryPoint, true, Arguments, Answer);
+    spear::Decoder In(Answer.bytes());
+    (void)In.get<uint64>();
+    const bool bSucceeded = In.get<spear::AnswerState>() == spear::AnswerState::succeeded;
+    const uint32 Bytes = In.get<uint32>();
+    std::memmove(Answer.buffer.data(), In.position(), Bytes);
+    Answer.buffer.resize(Bytes);
+    return bSucceeded;
 }
 
 void RunOnServerThread(

@@ -28,6 +28,11 @@ struct FRunningBatch {
 /// Runs the batch from where it is. False if it must be parked and run again in a later frame.
 bool RunBatch(FSession& Session, FRunningBatch& Running);
 
+/// Runs a synchronous operation of a block that came without a batch. Answer becomes its value, or, and that is false, its
+/// error.
+bool RunCall(FSession& Session, uint64 Number, uint16 EntryPoint, std::span<const std::byte> Arguments,
+    spear::Encoder& Answer);
+
 /// Runs a batch of operations of the server thread, there. EntryPoints: the session's numbering.
 void RunOnServerThread(
     std::span<const std::byte> Operations, const std::vector<uint16>& EntryPoints, spear::Encoder& Answers);

@@ -33,7 +33,7 @@ FRows& GetRows() {
 
 bool ResolveFuture(void* User, std::uint64_t Number, std::span<const std::byte>& Value) {
     FOperation& Operation = *static_cast<FOperation*>(User);
-    TSpearResult<std::span<const std::byte>> Result = Operation.Session->ResolveFuture(Number);
+    TSpearResult<std::span<const std::byte>> Result = Operation.Session->Kept.Resolve(Number);
     if (!Result.IsOk()) {
         Operation.Error = std::move(Result.GetError());
         Operation.bDependencyFailed = true;
@@ -91,7 +91,8 @@ spear::DecodeContext FOperation::DecodeContext() {
 
 std::string DescribeType(const spear::TypeTables& Tables, spear::TypeId Type, int32 Depth) {
     static constexpr std::string_view Names[] = {"null", "bool", "int8", "int16", "int32", "int64", "uint8", "uint16",
-        "uint32", "uint64", "float", "double", "string", "bytes", "object", "any", "future", "list", "dict", "map"};
+        "uint32", "uint64", "float", "double", "string", "bytes", "object", "any", "future", "list", "dict", "map",
+        "object"};
     if (Type <= spear::types::last_builtin) {
         return std::string(Names[Type]);
     }

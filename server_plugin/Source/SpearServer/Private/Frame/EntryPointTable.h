@@ -64,6 +64,12 @@ std::string SignatureOf(std::string_view Name);
 /// The names of declared entry points that nothing is bound to; empty in a sound build, checked when the server starts.
 std::string UnboundEntryPoints();
 
+/// The number of unreal_service.call_function, the one hot entry point.
+constexpr uint16 CallFunctionEntryPoint() {
+    return static_cast<uint16>(
+        spear::AllEntryPoints::index_of<std::remove_cvref_t<decltype(spear::unreal_service::call_function)>>());
+}
+
 /// "string", "list", "FVector": what a value is, for messages.
 std::string DescribeType(const spear::TypeTables& Tables, spear::TypeId Type, int32 Depth = 0);
 

@@ -76,7 +76,8 @@ void FFrameRunner::OnBeginFrame() {
             break;
         } else if (!Hold(Holders.front(),
                        "single_step: the engine waits at the beginning of a frame for the client's next "
-                       "begin_frame block")) {
+                       "begin_frame block",
+                       false)) {
             Holders.clear();
         }
     }
@@ -101,6 +102,7 @@ void FFrameRunner::OnEndFrame() {
 }
 
 bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
+    CallsInBlock = 0;
     spear::TraceSpan Span(Block == EBlock::Begin ? SPEAR_TRACE_BEGIN_WORK : SPEAR_TRACE_END_WORK);
     if (Span.is_on()) {
         Span.set_arguments(SessionId, Inbox.FirstTransaction(SessionId));
@@ -117,7 +119,8 @@ bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
             Block == EBlock::Begin
                 ? "an open begin_frame block: the engine waits at the beginning of a frame for the block to close"
                 : "a transaction between begin_frame and the end of end_frame: the engine waits at the end of the "
-                  "frame");
+                  "frame",
+            true);
         if (!bGoesOn) {
             return false;
         }
@@ -127,7 +130,7 @@ bool FFrameRunner::RunBlock(uint64 SessionId, EBlock Block) {
 void FFrameRunner::EndTransaction(uint64 SessionId) {
     std::vector<FBatch> NotRun;
     const bool bSingleStep = Inbox.FinishTransaction(SessionId, NotRun);
-    for (const FBatch& Batch : NotRun) {
+    for (FBatch& Batch : NotRun) {
         Inbox.NoteRun(Batch);
         ReplyError(
             Batch, MakeError(ErrorCode::TransactionAborted, "the transaction was aborted: the engine is ending"));
@@ -137,18 +140,78 @@ void FFrameRunner::EndTransaction(uint64 SessionId) {
     }
 }
 
-bool FFrameRunner::Hold(uint64 SessionId, const char* Reason) {
+bool FFrameRunner::Hold(uint64 SessionId, const char* Reason, bool bInBlock) {
     if (IsEngineExitRequested()) {
         return false;
     }
     SetHolder(SessionId, Reason);
-    {
+    if (bInBlock) {
+        TakeCalls(SessionId);
+    } else {
         const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
         spear_server_wait(Server, SessionId, spear::limits::game_thread_wake_ms);
     }
     FThreadHeartBeat::Get().HeartBeat();
     RunFreeBatches();
     return true;
+}
+
+/// Runs the session's calls, one after the other, until there is something else to do.
+void FFrameRunner::TakeCalls(uint64 SessionId) {
+    constexpr int32 MostAtOnce = 1000; // then the heartbeat is due
+    for (int32 Count = 0; Count < MostAtOnce; ++Count) {
+        spear_call Call{};
+        bool bHasCall = false;
+        {
+            const spear::TraceSpan Span(SPEAR_TRACE_WAIT_FOR_CLIENT, SessionId);
+            bHasCall = spear_server_wait_call(Server, SessionId, spear::limits::game_thread_wake_ms, &Call) != 0;
+        }
+        if (!bHasCall) {
+            return;
+        }
+        RunAndAnswer(SessionId, Call);
+        if (Inbox.HasFreeBatches() || !Parked.empty() || IsEngineExitRequested()) {
+            return;
+        }
+    }
+}
+
+void FFrameRunner::RunAndAnswer(uint64 SessionId, const spear_call& Call) {
+    KeepHouse();
+    FSession* Session = FindSession(SessionId);
+    if (!Session) {
+        return;
+    }
+    if (!Session->IsEntryPoint(Call.entry_point)) {
+        spear_server_drop(Server, SessionId,
+            "MalformedMessage: a call names an entry point that was not agreed at connect");
+        return;
+    }
+    bool bSucceeded = false;
+    if (++CallsInBlock > spear::limits::max_operations_per_block) {
+        CallAnswer.buffer.clear();
+        spear::encode_error(CallAnswer, MakeError(ErrorCode::LimitExceeded,
+                                            "a block of more than limits::max_operations_per_block = " +
+                                                std::to_string(spear::limits::max_operations_per_block) +
+                                                " operations"));
+    } else {
+        bRunning = true;
+        bSucceeded = RunCall(*Session, Call.number, Session->EntryPointOf(Call.entry_point),
+            {reinterpret_cast<const std::byte*>(Call.arguments.data), Call.arguments.size}, CallAnswer);
+        bRunning = false;
+    }
+    spear_call_answer Answer{};
+    Answer.frame = GFrameCounter;
+    Answer.failed = !bSucceeded;
+    Answer.value = {reinterpret_cast<const uint8*>(CallAnswer.buffer.data()), CallAnswer.buffer.size()};
+    if (Session->TypeNumbers.HasPending()) {
+        const spear::ByteBuffer Types = Session->TypeNumbers.TakePending();
+        Answer.types = {reinterpret_cast<const uint8*>(Types.data()), Types.size()};
+        spear_server_answer_call(Server, SessionId, &Answer);
+    } else {
+        spear_server_answer_call(Server, SessionId, &Answer);
+    }
+    SweepIfNeeded();
 }
 
 // Batches
@@ -178,18 +241,24 @@ void FFrameRunner::KeepHouse() {
 }
 
 void FFrameRunner::ApplyNews(FSession& Session) {
-    const FSessionNews News = Inbox.TakeSessionNews(Session.GetId());
+    Inbox.TakeSessionNews(Session.GetId(), SessionNews);
+    const FSessionNews& News = SessionNews;
     if (!News.Types.empty() && !spear::decode_announcements(News.Types, Session.ClientTypes)) {
         UE_LOG(LogSpear, Warning, TEXT("Ending the session of '%s': it announced malformed types"),
             *FromUtf8(Session.GetClientName()));
         spear_server_drop(
             Server, Session.GetId(), "MalformedMessage: the announced types are malformed, out of order, or too many");
     }
-    for (const uint64 Number : News.Releases) {
-        Session.ReleaseKept(Number);
+    for (std::size_t Index = 0; Index < News.Releases.size(); ++Index) {
+        const uint64 First = News.Releases[Index];
+        if ((First & spear::release_range) != 0 && Index + 1 < News.Releases.size()) {
+            Session.Kept.Release(First & ~spear::release_range, News.Releases[++Index]);
+        } else {
+            Session.Kept.Release(First, 1);
+        }
     }
     if (!News.Releases.empty()) {
-        Inbox.NoteKept(Session.GetId(), Session.NumKept());
+        Inbox.NoteKept(Session.GetId(), Session.Kept.Num());
     }
 }
 
@@ -216,7 +285,7 @@ void FFrameRunner::RunFreeBatches() {
         bRunning = false;
         SweepIfNeeded();
         if (bDone) {
-            Inbox.NoteKept(Session->GetId(), Session->NumKept());
+            Inbox.NoteKept(Session->GetId(), Session->Kept.Num());
             Inbox.NoteRun(Running.Batch);
             Reply(Running.Batch, Running.Answers);
         } else {
@@ -239,19 +308,22 @@ void FFrameRunner::RunAndReply(FBatch Batch) {
     if (!Session) {
         return;
     }
-    FRunningBatch Running{std::move(Batch), 0, {}};
+    InBlock.Batch = std::move(Batch);
+    InBlock.Offset = 0;
+    InBlock.Answers.buffer.clear();
     bRunning = true;
-    RunBatch(*Session, Running); // operations of a block are never parked
+    RunBatch(*Session, InBlock); // operations of a block are never parked
     bRunning = false;
+    Inbox.NoteKept(InBlock.Batch.Session, Session->Kept.Num());
+    Inbox.NoteRun(InBlock.Batch);
+    Reply(InBlock.Batch, InBlock.Answers);
+    Session->Kept.EndBatch(InBlock.Answers.buffer);
     SweepIfNeeded();
-    Inbox.NoteKept(Running.Batch.Session, Session->NumKept());
-    Inbox.NoteRun(Running.Batch);
-    Reply(Running.Batch, Running.Answers);
 }
 
 void FFrameRunner::Reply(const FBatch& Batch, const spear::Encoder& Answers) {
     spear::ByteBuffer Types;
-    if (FSession* Session = FindSession(Batch.Session)) {
+    if (FSession* Session = FindSession(Batch.Session); Session && Session->TypeNumbers.HasPending()) {
         Types = Session->TypeNumbers.TakePending();
     }
     spear_answers Message{};

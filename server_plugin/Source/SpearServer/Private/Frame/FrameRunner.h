@@ -39,7 +39,10 @@ public:
 private:
     void OnBeginFrame();
     void OnEndFrame();
-    void OnPostGarbageCollect() { bSweepNeeded = true; }
+    void OnPostGarbageCollect() {
+        bSweepNeeded = true;
+        ++GarbageEpoch;
+    }
 
     /// New and closed sessions; announcements and releases of all.
     void KeepHouse();
@@ -52,7 +55,10 @@ private:
     void RunAndReply(FBatch Batch);
     void EndTransaction(uint64 SessionId);
     /// Waits for something to arrive; runs what may run meanwhile. False if the engine exits.
-    bool Hold(uint64 SessionId, const char* Reason);
+    /// bInBlock: within a block of the session of which nothing is queued, so it may make calls.
+    bool Hold(uint64 SessionId, const char* Reason, bool bInBlock);
+    void TakeCalls(uint64 SessionId);
+    void RunAndAnswer(uint64 SessionId, const spear_call& Call);
     void Reply(const FBatch& Batch, const spear::Encoder& Answers);
     void ReplyError(const FBatch& Batch, const ErrorInfo& Error);
     void SweepIfNeeded();
@@ -64,6 +70,10 @@ private:
     std::vector<FRunningBatch> Parked;
     std::vector<uint64> InFrame; ///< sessions whose transaction this frame carries, in order of arrival
     std::vector<uint64> Holders; ///< sessions that hold the engine by single_step, until their next begin block
+    FRunningBatch InBlock;      ///< the one that runs, with its memory for the next
+    FSessionNews SessionNews; ///< taken last, with its memory
+    spear::Encoder CallAnswer;
+    std::size_t CallsInBlock = 0;
     uint64 SeenNews = 0;
     uint64 Holder = 0;                ///< as the inbox was told last
     const char* HoldReason = nullptr; ///< a literal

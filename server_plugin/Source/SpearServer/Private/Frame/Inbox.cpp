@@ -136,16 +136,16 @@ FInbox::FVerdict FInbox::Submit(uint64 Session, uint64 Request, const spear_batc
         } else if (Shape.bOnlyServerThread) {
             Verdict.Kind = FVerdict::AnswerHere;
         } else {
-            Batch.Operations.assign(AsSpan(Message.operations).begin(), AsSpan(Message.operations).end());
-            Entry->QueuedBytes += Batch.Operations.size();
+            TakeOperations(*Entry, Batch, Message);
             Entry->LastSequence = Batch.Sequence;
-            Entry->Outstanding.insert(Batch.Sequence);
+            Entry->Outstanding.push_back(Batch.Sequence);
             Entry->FreeBatches.push_back(std::move(Batch));
             ++NumFreeBatches;
         }
         if (Message.release_count != 0) {
-            Entry->Releases.push_back(
-                {Entry->LastSequence, {Message.releases, Message.releases + Message.release_count}});
+            Entry->Releases.push_back({Entry->LastSequence, Message.release_count});
+            Entry->ReleaseNumbers.insert(
+                Entry->ReleaseNumbers.end(), Message.releases, Message.releases + Message.release_count);
         }
         if (Verdict.Kind != FVerdict::Queued) {
             return Verdict;
@@ -175,7 +175,13 @@ FInbox::FVerdict FInbox::SubmitToBlock(
         }
         Entry.LastTransaction = Number;
         Entry.Phase = EPhase::Begin;
-        FTransaction& New = Entry.Transactions.emplace_back();
+        if (Entry.SpareTransactions.empty()) {
+            Entry.Transactions.push_back({});
+        } else {
+            Entry.Transactions.push_back(std::move(Entry.SpareTransactions.back()));
+            Entry.SpareTransactions.pop_back();
+        }
+        FTransaction& New = Entry.Transactions.back();
         New.Number = Number;
         New.Arrival = ++LastTransactionArrival;
     } else {
@@ -206,8 +212,7 @@ FInbox::FVerdict FInbox::SubmitToBlock(
     }
     if (!TooMuch) {
         Count += Operations;
-        Batch.Operations.assign(AsSpan(Message.operations).begin(), AsSpan(Message.operations).end());
-        Entry.QueuedBytes += Batch.Operations.size();
+        TakeOperations(Entry, Batch, Message);
     }
     const bool bAborts = Message.abort != 0;
     if (Batch.bCloses || bAborts) {
@@ -227,7 +232,7 @@ FInbox::FVerdict FInbox::SubmitToBlock(
         return {FVerdict::Refused, std::move(*TooMuch)};
     }
     Entry.LastSequence = Batch.Sequence;
-    Entry.Outstanding.insert(Batch.Sequence);
+    Entry.Outstanding.push_back(Batch.Sequence);
     Transaction.Batches(Batch.Block).push_back(std::move(Batch));
     return {};
 }
@@ -274,23 +279,34 @@ FInboxNews FInbox::TakeNews() {
     return std::exchange(News, {});
 }
 
-FSessionNews FInbox::TakeSessionNews(uint64 Session) {
+void FInbox::TakeSessionNews(uint64 Session, FSessionNews& Into) {
+    Into.Types.clear();
+    Into.Releases.clear();
     const std::lock_guard Lock(Mutex);
-    FSessionNews Taken;
-    if (FEntry* Entry = Find(Session)) {
-        Taken.Types = std::exchange(Entry->Types, {});
-        const uint64 Oldest =
-            Entry->Outstanding.empty() ? std::numeric_limits<uint64>::max() : *Entry->Outstanding.begin();
-        std::size_t Ready = 0;
-        for (; Ready < Entry->Releases.size() && Entry->Releases[Ready].After < Oldest; ++Ready) {
-            const std::vector<uint64>& Numbers = Entry->Releases[Ready].Numbers;
-            Taken.Releases.insert(Taken.Releases.end(), Numbers.begin(), Numbers.end());
-        }
-        Entry->Releases.erase(Entry->Releases.begin(), Entry->Releases.begin() + static_cast<std::ptrdiff_t>(Ready));
-        const std::size_t Bytes = Taken.Types.size() + Taken.Releases.size() * sizeof(uint64);
-        Entry->QueuedBytes -= std::min(Bytes, Entry->QueuedBytes);
+    FEntry* Entry = Find(Session);
+    if (!Entry) {
+        return;
     }
-    return Taken;
+    Into.Types.swap(Entry->Types);
+    const uint64 Oldest = Entry->Outstanding.empty() ? std::numeric_limits<uint64>::max() : Entry->Outstanding.front();
+    std::size_t Ready = 0;
+    std::size_t Numbers = 0;
+    for (; Ready < Entry->Releases.size() && Entry->Releases[Ready].After < Oldest; ++Ready) {
+        Numbers += Entry->Releases[Ready].Count;
+    }
+    if (Ready == Entry->Releases.size()) {
+        Into.Releases.swap(Entry->ReleaseNumbers);
+        Entry->Releases.clear();
+    } else {
+        const auto First = Entry->ReleaseNumbers.begin();
+        const auto Last = First + static_cast<std::ptrdiff_t>(Numbers);
+        Into.Releases.assign(First, Last);
+        Entry->ReleaseNumbers.erase(First, Last);
+        Entry->Releases.erase(
+            Entry->Releases.begin(), Entry->Releases.begin() + static_cast<std::ptrdiff_t>(Ready));
+    }
+    const std::size_t Bytes = Into.Types.size() + Into.Releases.size() * sizeof(uint64);
+    Entry->QueuedBytes -= std::min(Bytes, Entry->QueuedBytes);
 }
 
 std::vector<FBatch> FInbox::TakeFreeBatches() {
@@ -312,7 +328,7 @@ std::optional<FBatch> FInbox::TakeBatch(uint64 Session, EBlock Block) {
     if (!Entry || Entry->Transactions.empty() || Entry->Transactions.front().Batches(Block).empty()) {
         return std::nullopt;
     }
-    std::deque<FBatch>& Batches = Entry->Transactions.front().Batches(Block);
+    TFifo<FBatch>& Batches = Entry->Transactions.front().Batches(Block);
     FBatch Batch = std::move(Batches.front());
     Batches.pop_front();
     return Batch;
@@ -355,15 +371,36 @@ bool FInbox::FinishTransaction(uint64 Session, std::vector<FBatch>& NotRun) {
             NotRun.push_back(std::move(Batch));
         }
     }
-    return Transaction.bSingleStep;
+    const bool bSingleStep = Transaction.bSingleStep;
+    Transaction.Reset();
+    Entry->SpareTransactions.push_back(std::move(Transaction));
+    return bSingleStep;
 }
 
-void FInbox::NoteRun(const FBatch& Batch) {
+/// The operations of a message become those of a batch.
+void FInbox::TakeOperations(FEntry& Entry, FBatch& Batch, const spear_batch& Message) {
+    if (!Entry.SpareOperations.empty() && Message.operations.size != 0) {
+        Batch.Operations = std::move(Entry.SpareOperations.back());
+        Entry.SpareOperations.pop_back();
+    }
+    const std::span<const std::byte> Bytes = AsSpan(Message.operations);
+    Batch.Operations.assign(Bytes.begin(), Bytes.end());
+    Entry.QueuedBytes += Batch.Operations.size();
+}
+
+void FInbox::NoteRun(FBatch& Batch) {
     const std::lock_guard Lock(Mutex);
     if (FEntry* Entry = Find(Batch.Session)) {
         Entry->QueuedBytes -= std::min(Batch.Operations.size(), Entry->QueuedBytes);
-        Entry->Outstanding.erase(Batch.Sequence);
+        std::erase(Entry->Outstanding, Batch.Sequence);
         NewsCount += !Entry->Releases.empty(); // they may be ready now
+        constexpr std::size_t MostSpare = 8;
+        constexpr std::size_t LargestSpare = 1u << 20;
+        const std::size_t Capacity = Batch.Operations.capacity();
+        if (Entry->SpareOperations.size() < MostSpare && Capacity != 0 && Capacity <= LargestSpare) {
+            Batch.Operations.clear();
+            Entry->SpareOperations.push_back(std::move(Batch.Operations));
+        }
     }
 }
 

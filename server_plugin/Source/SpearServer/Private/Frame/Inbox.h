@@ -19,7 +19,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -75,7 +74,8 @@ public:
     /// Rises when there is something for TakeNews or TakeSessionNews.
     uint64 GetNewsCount() const { return NewsCount.load(std::memory_order_acquire); }
     FInboxNews TakeNews();
-    FSessionNews TakeSessionNews(uint64 Session);
+    /// Into: emptied first; its memory is used.
+    void TakeSessionNews(uint64 Session, FSessionNews& Into);
     /// All batches outside of blocks, in order of arrival within each session.
     std::vector<FBatch> TakeFreeBatches();
     bool HasFreeBatches() const { return NumFreeBatches.load(std::memory_order_acquire) != 0; }
@@ -104,7 +104,8 @@ public:
     /// for single_step.
     bool FinishTransaction(uint64 Session, std::vector<FBatch>& NotRun);
     /// Notes that the batches of the session up to that one have run (for releases and the limit of queued bytes).
-    void NoteRun(const FBatch& Batch);
+    /// Takes the batch's memory for another.
+    void NoteRun(FBatch& Batch);
     /// Notes how many results the session keeps, for its statistics.
     void NoteKept(uint64 Session, std::size_t Count);
     std::string ClientNameOf(uint64 Session) const;
@@ -127,11 +128,14 @@ private:
         uint64 LastTransaction = 0;
         uint64 AbortedTransaction = 0; ///< this one and all before it are over; what still comes for them is refused
         EPhase Phase = EPhase::Idle;   ///< of the transaction that arrived last
-        std::deque<FTransaction> Transactions;
-        std::deque<FBatch> FreeBatches;
+        TFifo<FTransaction> Transactions;
+        TFifo<FBatch> FreeBatches;
         std::vector<std::byte> Types;
         std::vector<FRelease> Releases;
-        std::set<uint64> Outstanding; ///< sequence numbers of batches that have not run
+        std::vector<uint64> ReleaseNumbers; ///< of all Releases, one after the other
+        std::vector<uint64> Outstanding;    ///< sequence numbers of batches that have not run, rising
+        std::vector<FTransaction> SpareTransactions;
+        std::vector<std::vector<std::byte>> SpareOperations;
         std::size_t QueuedBytes = 0;
         std::size_t KeptResults = 0;
     };
@@ -139,6 +143,7 @@ private:
     void Wake() const;
     FVerdict SubmitToBlock(FEntry& Entry, FBatch Batch, const spear_batch& Message, std::size_t Operations,
         std::optional<ErrorInfo> TooMuch);
+    static void TakeOperations(FEntry& Entry, FBatch& Batch, const spear_batch& Message);
     FEntry* Find(uint64 Session);
     const FEntry* Find(uint64 Session) const;
 

@@ -7,28 +7,19 @@
 #include "CoreMinimal.h"
 
 #include "Frame/Inbox.h"
+#include "Frame/KeptResults.h"
 #include "Frame/Result.h"
 #include "Reflection/CallPlan.h"
 #include "Reflection/Handles.h"
+#include "Reflection/PlainCalls.h"
 #include "Reflection/PropertyPath.h"
 #include "Reflection/TypeNumbers.h"
 #include "Reflection/ValueReader.h"
 
 #include "spear/codec.hpp"
 
-#include <cstddef>
-#include <span>
-#include <unordered_map>
-#include <vector>
 
 namespace SpearServer {
-
-/// The result of an operation that later operations may name as a future.
-struct FKeptResult {
-    enum EState : uint8 { Pending, Succeeded, Failed } State = Succeeded;
-    spear::ByteBuffer Value; ///< type number and payload
-    ErrorInfo Error;
-};
 
 class FSession {
 public:
@@ -38,17 +29,9 @@ public:
     const std::string& GetClientName() const { return Greeting.ClientName; }
     /// Our number of an entry point that the client has as Number (checked when the batch arrived).
     uint16 EntryPointOf(uint16 Number) const { return Greeting.EntryPoints[Number]; }
+    bool IsEntryPoint(uint16 Number) const { return Number < Greeting.EntryPoints.size(); }
 
     spear::TypeTables Tables() const { return {&ClientTypes, &TypeNumbers.Table()}; }
-
-    /// The value of an earlier operation. DependencyFailed, NeedsFrames, or UnknownObject if there is none.
-    TSpearResult<std::span<const std::byte>> ResolveFuture(uint64 Number) const;
-    /// A place for the result of an operation, pending. Null if limits::max_kept_results is reached or the number is
-    /// taken. Stays where it is until it is released.
-    FKeptResult* Keep(uint64 Number);
-    FKeptResult* FindKept(uint64 Number);
-    void ReleaseKept(uint64 Number);
-    std::size_t NumKept() const { return Kept.size(); }
 
     /// After a garbage collection: drops what names dead objects, classes and functions.
     void Sweep();
@@ -59,13 +42,12 @@ public:
     FStructConversions Conversions;
     FEnumConversions EnumConversions;
     FCallPlans CallPlans;
+    FPlainCalls PlainCalls;
     FPropertyPaths PropertyPaths;
+    FKeptResults Kept;
 
 private:
     FSessionGreeting Greeting;
-    using FKept = std::unordered_map<uint64, FKeptResult>;
-    FKept Kept;
-    std::vector<FKept::node_type> Spare; ///< released ones with their memory, for the next
 };
 
 } // namespace SpearServer

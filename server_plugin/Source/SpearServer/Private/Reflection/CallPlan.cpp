@@ -150,7 +150,13 @@ FStatus FCallPlans::Call(
         }
     }
     FStatus Written = WriteResults(Session, Plan, Parameters->Get(), *Operation.Out);
-    return Written.IsOk() ? FStatus() : FStatus(Named(std::move(Written.GetError())));
+    if (!Written.IsOk()) {
+        return Named(std::move(Written.GetError()));
+    }
+    if (IsUsable(Target)) {
+        Session.PlainCalls.Learn(Session, Target, Shape, Plan, Arguments);
+    }
+    return {};
 }
 
 FStatus WriteResults(FSession& Session, FCallPlan& Plan, const uint8* Parameters, spear::Encoder& Out) {

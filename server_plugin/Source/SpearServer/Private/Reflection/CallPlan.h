@@ -51,6 +51,25 @@ private:
     alignas(16) uint8 Inline[InlineBytes];
 };
 
+/// What is left to do for a call whose arguments and result are plain numbers: see FPlainCalls.
+struct FPlainCall {
+    struct FCopy {
+        uint32 From = 0, To = 0, Size = 0;
+    };
+    struct FTag {
+        uint32 At = 0; ///< within the arguments' values
+        spear::TypeId Type = 0;
+    };
+    UFunction* Function = nullptr;
+    uint32 ValueBytes = 0;     ///< of all arguments, with their type numbers
+    uint32 ParameterBytes = 0; ///< rounded up to 16
+    spear::TypeId ResultType = spear::types::null;
+    uint32 ResultBytes = 0; ///< without the type number
+    std::vector<FTag> Tags; ///< type numbers that stand in the values
+    std::vector<FCopy> In;  ///< from the values into the parameters
+    std::vector<FCopy> Out; ///< from the parameters into the result
+};
+
 struct FCallPlan {
     struct FParameter {
         const FProperty* Property = nullptr;
@@ -72,6 +91,8 @@ struct FCallPlan {
     bool bOnDefaultObject = false; ///< the target is a class, the function a static one of its instances
     spear::TypeInfo ResultType;    ///< of several results; announced at the first use
     spear::TypeId ResultNumber = 0;
+    std::unique_ptr<FPlainCall> Plain; ///< null: not plain, or not known yet
+    int32 PlainTries = 0;
 };
 
 /// The plans of one session.

@@ -79,7 +79,37 @@ TSpearResult<UObject*> FHandleTable::Resolve(uint64 Handle) const {
         return MakeError(
             ErrorCode::StaleObject, "the " + ToUtf8(Slot->Class) + " '" + ToUtf8(Slot->Name) + "' has been destroyed");
     }
+    if (!Object->IsA<UClass>()) {
+        const auto Index = static_cast<uint32>(Handle);
+        if (Index >= Resolved.size()) {
+            Resolved.resize(Slots.size());
+        }
+        Resolved[Index] = {Object, Slot->Generation, GarbageEpoch,
+            Object->IsA<AActor>()            ? EAlive::Actor
+            : Object->IsA<UActorComponent>() ? EAlive::Component
+                                             : EAlive::Object};
+    }
     return Object;
+}
+
+UObject* FHandleTable::ResolveAgain(uint64 Handle) const {
+    const auto Index = static_cast<uint32>(Handle);
+    if (Index >= Resolved.size()) {
+        return nullptr;
+    }
+    const FResolved& Known = Resolved[Index];
+    if (Known.Epoch != GarbageEpoch || Known.Generation != static_cast<uint32>(Handle >> 32) ||
+        !IsValid(Known.Object)) {
+        return nullptr;
+    }
+    switch (Known.Alive) {
+    case EAlive::Actor:
+        return static_cast<AActor*>(Known.Object)->IsActorBeingDestroyed() ? nullptr : Known.Object;
+    case EAlive::Component:
+        return static_cast<UActorComponent*>(Known.Object)->IsBeingDestroyed() ? nullptr : Known.Object;
+    default:
+        return Known.Object;
+    }
 }
 
 TSpearResult<UObject*> FHandleTable::ResolveNonNull(uint64 Handle) const {

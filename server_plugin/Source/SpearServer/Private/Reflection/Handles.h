@@ -18,6 +18,10 @@
 
 namespace SpearServer {
 
+/// Rises with each garbage collection: until the next one, an object that was found alive keeps its memory, though it may
+/// be destroyed. Game thread.
+inline uint32 GarbageEpoch = 1;
+
 class FHandleTable {
 public:
     /// The object's handle; 0 for null.
@@ -28,6 +32,9 @@ public:
     TSpearResult<UObject*> Resolve(uint64 Handle) const;
     /// Like Resolve, but null is the error NullObject.
     TSpearResult<UObject*> ResolveNonNull(uint64 Handle) const;
+    /// The same for an object that is no class and was resolved since the last garbage collection; null otherwise, which
+    /// says nothing.
+    UObject* ResolveAgain(uint64 Handle) const;
     /// Whether the handle names a living object.
     bool IsAlive(uint64 Handle) const;
 
@@ -47,10 +54,19 @@ private:
         FName Name; ///< for the message of StaleObject
         FName Class;
     };
+    /// What is known of the object of a slot, until the next garbage collection.
+    enum class EAlive : uint8 { Object, Actor, Component };
+    struct FResolved {
+        UObject* Object = nullptr;
+        uint32 Generation = 0;
+        uint32 Epoch = 0;
+        EAlive Alive = EAlive::Object;
+    };
     static uint64 Compose(uint32 Slot, uint32 Generation) { return (static_cast<uint64>(Generation) << 32) | Slot; }
     const FSlot* Find(uint64 Handle) const;
 
     std::deque<FSlot> Slots;
+    mutable std::vector<FResolved> Resolved; ///< by slot; may be shorter
     std::deque<uint32>
         FreeSlots; ///< the one freed longest ago is used first, so that stale handles keep their names long
     std::unordered_map<const UObject*, uint32> SlotOf;

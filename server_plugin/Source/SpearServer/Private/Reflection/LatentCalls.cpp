@@ -71,7 +71,7 @@ void FLatentCalls::NoteCompleted(int32 Call) {
 
 void FLatentCalls::Finish(const FCall& Call) {
     FSession* Session = FindSession ? FindSession(Call.Session) : nullptr;
-    FKeptResult* Kept = Session ? Session->FindKept(Call.Operation) : nullptr;
+    FKeptResult* Kept = Session ? Session->Kept.Find(Call.Operation) : nullptr;
     if (!Kept) {
         return; // nobody waits any more
     }
@@ -94,7 +94,7 @@ void FLatentCalls::OnWorldCleanup(UWorld* World, bool, bool) {
     }
     for (const auto& [Number, Call] : Calls) {
         FSession* Session = FindSession ? FindSession(Call.Session) : nullptr;
-        if (FKeptResult* Kept = Session ? Session->FindKept(Call.Operation) : nullptr) {
+        if (FKeptResult* Kept = Session ? Session->Kept.Find(Call.Operation) : nullptr) {
             Kept->State = FKeptResult::Failed;
             Kept->Error = MakeError(ErrorCode::StaleObject, "the world ended before the latent function completed");
             Kept->Error.operation = Call.Plan->OperationName;

@@ -31,6 +31,7 @@ public:
     /// struct FScriptDelegate {Object: object, FunctionName: string}
     spear::TypeId DelegateNumber();
 
+    bool HasPending() const { return Announcer.has_pending(); }
     /// Announcements that go ahead of the next reply.
     spear::ByteBuffer TakePending() { return Announcer.take_pending(); }
     /// Forgets classes that were collected (their numbers stay given).

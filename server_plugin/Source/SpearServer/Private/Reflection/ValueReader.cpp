@@ -398,11 +398,13 @@ bool FValueReader::ReadObjectReference(
         Object = Class.GetValue();
         return true;
     }
-    if (Type != types::object) {
+    if (Type != types::object && Type != types::handle) {
         return FailType(Plan, Type);
     }
     const auto Handle = In.get<uint64>();
-    (void)In.get<spear::TypeId>();
+    if (Type == types::object) {
+        (void)In.get<spear::TypeId>();
+    }
     TSpearResult<UObject*> Resolved = Operation.Session->Handles.Resolve(Handle);
     if (!Resolved.IsOk()) {
         return Fail(Resolved.GetError().code, Place() + ": " + Resolved.GetError().message, ExpectedTypeOf(Plan));

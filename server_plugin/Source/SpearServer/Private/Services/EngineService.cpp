@@ -52,8 +52,12 @@ void BindEngineService() {
     });
 
     Bind(service::wait_for_result, [](FOperation& Operation, std::uint64_t Number) -> FStatus {
-        const FKeptResult* Kept = Operation.Session->FindKept(Number);
+        const FKeptResult* Kept = Operation.Session->Kept.Find(Number);
         if (!Kept) {
+            if (const auto Value = Operation.Session->Kept.Resolve(Number); Value.IsOk()) {
+                Operation.Out->put_raw(Value.GetValue().data(), Value.GetValue().size());
+                return {};
+            }
             return MakeError(ErrorCode::DependencyFailed,
                 "operation " + std::to_string(Number) +
                     " has no result here: it has not run, its result was not kept, or its future was dropped",
