@@ -49,9 +49,9 @@ def turn_ring(instance: spear.Instance, actors: list[ACoordinateAxes], transacti
 def main() -> None:
     parser = argparse.ArgumentParser(description="Moves a ring of actors in every frame, by asynchronous operations alone.")
     parser.add_argument("--address", help="a running engine (unix:/path, tcp://host:port); one is started if this is not given")
-    parser.add_argument("--actors", type=int, default=200, help="how many (default: 200)")
+    parser.add_argument("--actors", type=int, default=1000, help="how many (default: 1000)")
     parser.add_argument("--transactions", type=int, default=200, help="how many (default: 200)")
-    parser.add_argument("--fps", type=float, default=100, help="frame rate of the engine that is started (default: 100)")
+    parser.add_argument("--fps", type=float, default=120, help="frame rate of the engine that is started (default: 120)")
     options = parser.parse_args()
     with spear.connect(options.address) if options.address else spear.launch(scene="apartment", fps=options.fps) as instance:
         actors = spawn_ring(instance, options.actors)

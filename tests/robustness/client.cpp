@@ -320,15 +320,22 @@ const std::map<std::string, std::function<void(Run&)>>& states() {
                     run.move();
                 }
                 for (int round = 0; round < 4000 && run.instance.session()->is_open(); ++round) {
+                    // The positions, cores and sleeping words, the places of a single call and its answer, and the
+                    // rings.
                     const std::size_t words[] = {128, 136, 256, 384, 392, 512, 640, 644, 648, 768, 896, 1024};
-                    const std::size_t at =
-                        random() % 3 == 0 ? 4096 + random() % (region.size - 4096) : words[random() % std::size(words)];
-                    std::uint64_t value = random() % 2 != 0 ? random() : random() % 1024;
-                    auto* word = reinterpret_cast<std::uint64_t*>(region.data + at / 8 * 8);
-                    if (random() % 2 != 0) {
-                        value = *word + 8 * (random() % 64); // nearly right
+                    const std::size_t places[] = {
+                        1152, 1160, 1168 + random() % 1000, 2176, 2184, 2192 + random() % 1000};
+                    const std::size_t kind = random() % 3;
+                    const std::size_t at = kind == 0   ? words[random() % std::size(words)]
+                                           : kind == 1 ? places[random() % std::size(places)]
+                                                       : 4096 + random() % (region.size - 4096);
+                    auto* const word = reinterpret_cast<std::uint64_t*>(region.data + at / 8 * 8);
+                    const std::uint64_t value[] = {
+                        random(), random() % 1024, *word + 8 * (random() % 64), *word + random() % 3};
+                    __atomic_store_n(word, value[random() % std::size(value)], __ATOMIC_SEQ_CST);
+                    if (round % 32 == 0) { // the engine shall look at it now and then
+                        std::this_thread::sleep_for(std::chrono::microseconds(50));
                     }
-                    __atomic_store_n(word, value, __ATOMIC_SEQ_CST);
                 }
                 run.move();
             }},
