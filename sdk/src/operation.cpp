@@ -191,6 +191,8 @@ OperationState* Session::Impl::record(Lock& lock, OperationBuilder& builder, Cal
                                                                static_cast<std::uint8_t>(OperationFlags::keep_result));
     const ByteBuffer& arguments = builder.encoder_.buffer;
     put_operation(batch.operations, number, builder.entry_point_, flags, arguments.data(), arguments.size());
+    batch.has_gaps = batch.has_gaps || (batch.count != 0 && number != batch.last_number + 1);
+    batch.last_number = number;
     ++batch.count;
     batch.fire_and_forget += mode == CallMode::send;
 

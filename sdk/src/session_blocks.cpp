@@ -43,6 +43,7 @@ std::uint64_t Session::Impl::submit(OperationBatch& batch, bool closes, bool abo
     const bool refused = spear_client_submit(client, request, &wire) != 0;
     releases.clear();
     for (OperationSlab* const slab : batch.slabs) {
+        slab->has_gaps = batch.has_gaps;
         slab->is_sent.store(true, std::memory_order_release);
     }
     if (batch.block != SPEAR_BLOCK_NONE) {

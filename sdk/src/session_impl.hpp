@@ -93,6 +93,7 @@ struct OperationSlab {
     const std::unique_ptr<OperationState[]> states;
     Session::Impl* impl = nullptr;
     std::uint64_t transaction = 0; ///< 0 outside of blocks
+    bool has_gaps = false;         ///< between its numbers are some of other batches
     std::atomic<bool> is_sent{false};
     bool is_answered = false;
     int uses = 0; ///< of all its states
@@ -118,6 +119,8 @@ struct OperationBatch {
     Encoder operations;
     std::vector<OperationSlab*> slabs;      ///< of their states, by number, rising
     std::vector<OperationState*> arguments; ///< futures in use by it (counted in `uses`)
+    std::uint64_t last_number = 0;
+    bool has_gaps = false; ///< other batches have numbers between its own
     std::size_t count = 0;
     std::size_t fire_and_forget = 0;
     std::uint64_t transaction = 0;
@@ -143,6 +146,8 @@ struct OperationBatch {
         operations.buffer.clear();
         slabs.clear();
         arguments.clear();
+        last_number = 0;
+        has_gaps = false;
         count = fire_and_forget = 0;
         transaction = 0;
         block = SPEAR_BLOCK_NONE;

@@ -173,28 +173,33 @@ void Session::Impl::release_results_of(OperationSlab& slab) {
     if (lost) {
         return;
     }
-    std::uint64_t first = 0, count = 0;
+    // A range may pass over numbers of the batch that have no result to keep, but over none of other batches.
+    std::uint64_t first = 0, last = 0;
     const auto put = [&] {
-        if (count > 1) {
+        if (last > first) {
             releases.push_back(release_range | first);
-            releases.push_back(count);
-        } else if (count == 1) {
+            releases.push_back(last - first + 1);
+        } else if (first != 0) {
             releases.push_back(first);
         }
     };
     for (std::uint32_t i = 0; i < slab.count; ++i) {
         OperationState& state = slab.states[i];
-        if (!state.kept || state.uses != 0 || state.users.load(std::memory_order_acquire) != 0 ||
+        if (!state.kept) {
+            continue; // released before, or never kept
+        }
+        if (state.uses != 0 || state.users.load(std::memory_order_acquire) != 0 ||
             state.stage.load(std::memory_order_relaxed) == OperationState::Stage::pending) {
+            put();
+            first = last = 0;
             continue;
         }
         state.kept = false;
-        if (count != 0 && state.number == first + count) {
-            ++count;
+        if (first != 0 && (!slab.has_gaps || state.number == last + 1)) {
+            last = state.number;
         } else {
             put();
-            first = state.number;
-            count = 1;
+            first = last = state.number;
         }
     }
     put();
