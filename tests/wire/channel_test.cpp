@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both halves of a channel: who reads when, sleeping and waking, the region's life, clients that mean harm.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -559,7 +560,7 @@ TEST_CASE("call: bytes that change while the server reads them do no harm") {
             REQUIRE(call.arguments.size <= sizeof(place.arguments));
             std::vector<std::uint8_t> copy(call.arguments.data, call.arguments.data + call.arguments.size);
             // What was taken is the server's own.
-            CHECK(std::memcmp(copy.data(), call.arguments.data, copy.size()) == 0);
+            CHECK(std::equal(copy.begin(), copy.end(), call.arguments.data));
             pair.server.answer_call(1, {0, 0, call.arguments, {}});
         }
     }

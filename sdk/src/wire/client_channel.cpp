@@ -82,7 +82,9 @@ bool ClientChannel::call(const spear_call& call) {
     out.arguments_bytes = static_cast<std::uint16_t>(call.arguments.size);
     out.entry_point = call.entry_point;
     out.number = call.number;
-    std::memcpy(out.arguments, call.arguments.data, call.arguments.size);
+    if (call.arguments.size != 0) {
+        std::memcpy(out.arguments, call.arguments.data, call.arguments.size);
+    }
     note_cpu(&header_.client_cpu);
     const std::uint32_t sequence = calls_.load(std::memory_order_relaxed) + 1;
     calls_.store(sequence, std::memory_order_relaxed);

@@ -183,7 +183,9 @@ void ServerChannel::answer_call(const spear_call_answer& answer) {
         answers.types = answer.types;
         reply(call_request | (answer.failed ? call_failed : 0) | call_number_, answers);
     } else {
-        std::memcpy(out.answer, answer.value.data, answer.value.size);
+        if (answer.value.size != 0) {
+            std::memcpy(out.answer, answer.value.data, answer.value.size);
+        }
         out.answer_bytes = static_cast<std::uint16_t>(answer.value.size);
         calls_sent_.add(answer.value.size);
     }
