@@ -112,7 +112,9 @@ TEST_CASE("transactions of asynchronous calls allocate nothing, whether futures 
     const Counts few = count(1), many = count(500);
     MESSAGE("50 transactions of 2 and of 1000 calls: ", few.client, " and ", many.client, " in the client, ", few.engine,
         " and ", many.engine, " on the game thread");
-    // What does not depend on the number of calls is the engine's own, of its frames; 0 in the client.
-    CHECK(many.client <= 4);
-    CHECK(many.engine <= few.engine + 4);
+    // Nothing per call, of 50,000 with a future and 50,000 without. What remains: the engine's own, of its frames; and how many
+    // blocks are on their way at once depends on when the threads run, so memory for one more may be taken at any time.
+    // Fewer than one per transaction shows that a call takes none.
+    CHECK(many.client < 50);
+    CHECK(many.engine < few.engine + 50);
 }
