@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "spear/spear.hpp"
@@ -95,7 +94,6 @@ TEST_CASE("transactions of asynchronous calls allocate nothing, whether futures 
     };
     const auto count = [&](int calls) {
         engine.transact([&] { (void)engine.calls.call<std::int64_t>("Allocations"); });
-        std::optional<Counts> before;
         const auto look = [&] {
             Counts now;
             engine.transact([&] { now.engine = engine.calls.call<std::int64_t>("Allocations"); });
@@ -103,18 +101,25 @@ TEST_CASE("transactions of asynchronous calls allocate nothing, whether futures 
             return now;
         };
         run(calls)();
-        run(calls)();
-        before = look();
-        run(calls)();
-        const Counts after = look();
-        return Counts{after.client - before->client, after.engine - before->engine};
+        // Buffers grow to the largest that each ever held, and how many are on their way at once depends on when the threads
+        // run: the steady state comes after some runs. A call or transaction that allocates lets it never come.
+        Counts grown;
+        for (int runs = 0; runs < 20; ++runs) {
+            const Counts before = look();
+            run(calls)();
+            const Counts after = look();
+            grown = {after.client - before.client, after.engine - before.engine};
+            if (grown.client <= 4) {
+                break;
+            }
+            MESSAGE("not yet steady after ", runs + 1, " runs: ", grown.client, " in the client");
+        }
+        return grown;
     };
     const Counts few = count(1), many = count(500);
     MESSAGE("50 transactions of 2 and of 1000 calls: ", few.client, " and ", many.client, " in the client, ", few.engine,
         " and ", many.engine, " on the game thread");
-    // Nothing per call, of 50,000 with a future and 50,000 without. What remains: the engine's own, of its frames; and how many
-    // blocks are on their way at once depends on when the threads run, so memory for one more may be taken at any time.
-    // Fewer than one per transaction shows that a call takes none.
-    CHECK(many.client < 50);
-    CHECK(many.engine < few.engine + 50);
+    // What does not depend on the number of calls is the engine's own, of its frames; 0 in the client.
+    CHECK(many.client <= 4);
+    CHECK(many.engine <= few.engine + 4);
 }
